@@ -165,15 +165,15 @@ def weak_walls():
             'A stiff wall stops the shot in less time, so with more force: stress goes with v√(Eρ). Strength is a stress; '
             'a soft wall just bends.'),
         row("Poisson's ratio", 12, '', 'poisson_ratio', (.45, .25, .05),
-            'What cannot shrink sideways is stiffer, as E/(1 − ν²) in a plate, and bending one way stresses it the other '
-            'way too.'),
+            'A plate that cannot contract laterally is stiffer, E/(1 − ν²), and bending in one direction stresses it in the '
+            'other one too.'),
         row('density', 7, 'kg/m³', 'density', (500, 1000, 2000),
-            "The shot's momentum moves a heavy wall less, so it bends less. (The first blow's stress grows as √ρ, but "
+            "The shot's momentum moves a heavy wall less, so it bends less. (The first impact's stress grows as √ρ, but "
             'bending breaks the wall.)'),
         row('tensile strength', 9, 'kPa', 'tensile_strength', (40, 60, 90), 'It is the resistance.'),
         row('fracture toughness', 9, 'kPa√m', 'fracture_toughness', (15, 45, 135),
-            'Cracks start at the same load, then stop sooner. Above K_Ic = σ_t √(2πh)/1.3 the strength rules at the front '
-            'as well, and toughness has no say.'),
+            'Cracks start at the same load, then stop sooner. Above K_Ic = σ_t √(2πh)/1.3 the strength decides at the front '
+            'as well, and toughness has no influence.'),
         row('separation toughness', 15, 'kN', 'separation_toughness', (15, 30, 60),
             'The resistance of `separation_force`.', criterion='separation_force')]
 
@@ -251,11 +251,11 @@ TABLES = [
     Table('impacts', 'fracture.md', '| speed | step | budget | lowest f | pieces | crack area, m² |', impacts,
           ('15 m/s', '1/60 s', '10'), .3),
     Table('ceiling', 'fracture.md',
-          '| budget, ms | most work of a step, ms | lowest f | relieved elements | shocks cut short | pieces | crack area, m² |',
+          '| budget, ms | most work of a step, ms | lowest f | relieved elements | unfinished substeps | pieces | crack area, m² |',
           ceilings, ('10',), .5),
     Table('energy', 'fracture.md',
           '| scene | integrator | put in | there | contacts | material | microsteps | time integration | '
-          'hand-over, limits | scaling | unaccounted | toughness would take |', energies, ('block_stack', 'hybrid'), .1),
+          'regime change, limits | scaling | unaccounted | toughness would take |', energies, ('block_stack', 'hybrid'), .1),
     Table('weak_walls', 'fracture.md', '| property | shot | weak wall | regular wall | strong wall | why |', weak_walls,
           ('tensile strength', '9 m/s'), .5),
     Table('validation', 'validation.md', '', None, text=validation),
@@ -263,7 +263,7 @@ TABLES = [
           '| tetrahedra | median ms | ns a tetrahedron (median) | iterations, most | '
           'two threads, ms of the clock, mean (of one) |', swaying, is_time=True),
     Table('scene_times', 'performance.md',
-          '| scene | tetrahedra | pieces at the end | median | 99 % | longest | mean of contact, elasticity, shock |',
+          '| scene | tetrahedra | pieces at the end | median | 99 % | longest | mean of contact, elasticity, explicit |',
           scene_times, is_time=True),
 ]
 
@@ -298,7 +298,7 @@ def figures(text):
 
 
 def alike(now, said, tolerance):
-    """Whether two rows hold the same figures: the smaller of two counts may be off by a unit of the last digit, too."""
+    """True if two rows hold the same figures: the smaller of two counts may also be off by a unit of the last digit."""
     ours, theirs = figures(now), figures(said)
     unit = lambda text: .6 if '.' not in text else .06
     return len(ours) == len(theirs) and all(
@@ -306,7 +306,7 @@ def alike(now, said, tolerance):
 
 
 def check(table):
-    """What differs between the page and the row that is cheap to make; nothing where they agree."""
+    """Returns the difference between the page and the row that is cheap to make; empty if they agree."""
     said = parts(table)[1]
     if table.text:
         return '' if table.text(True) in said else f'{table.name}: docs/{table.page} says otherwise'

@@ -5,7 +5,7 @@
 
 namespace griffith::render {
 
-/// The gradient behind everything; draws over the whole target, depth and ids untouched.
+/// Gradient of the background; covers the whole target and leaves depth and ids unchanged.
 class BackgroundPass {
  public:
   BackgroundPass();

@@ -5,16 +5,17 @@
 
 namespace griffith::render {
 
-/// Weighted-blended transparency in any order (McGuire & Bavoil 2013): transparent things are added up here, behind
-/// what is opaque in a Target, and then blended over its picture in one go. Shaders write through emit() (output.glsl).
+/// Weighted-blended order-independent transparency (McGuire & Bavoil 2013): transparent objects are accumulated here,
+/// behind the opaque ones in a Target, and then blended over its picture at once. Shaders write through emit()
+/// (output.glsl).
 class BlendTarget {
  public:
-  /// Of the size, samples and depth of `target`, which must outlive it.
+  /// Has the size, samples and depth of `target`, which must outlive it.
   explicit BlendTarget(const Target& target);
 
-  /// Clears it and makes it what is drawn into; depth is tested, not written.
+  /// Clears and binds it for drawing; depth is tested, not written.
   void begin() const;
-  /// Blends what was drawn over the target's resolved picture. Leaves the target's resolved framebuffer bound.
+  /// Blends the accumulated objects over the target's resolved picture. Leaves the target's resolved framebuffer bound.
   void end() const;
 
  private:

@@ -12,7 +12,7 @@ using Eigen::Vector3f;
 constexpr float kRadiansPerDegree = std::numbers::pi_v<float> / 180;
 constexpr float kLargestPitch = 89 * kRadiansPerDegree;
 
-/// Orthonormal, world frame.
+/// Orthonormal axes in the world frame.
 struct Axes {
   Vector3f right, up, forward;
 };
@@ -34,7 +34,7 @@ struct DepthRange {
 };
 
 DepthRange depth_range(const Camera& camera, const Eigen::AlignedBox3f& bounds) {
-  constexpr float kLargestRatio = 1e4f;  // beyond it a 24-bit depth buffer can't tell surfaces apart
+  constexpr float kLargestRatio = 1e4f;  // beyond it a 24-bit depth buffer cannot separate surfaces
   const float distance = distance_to_target(camera);
   if (bounds.isEmpty()) return {0.01f * distance, 100 * distance};
   const Vector3f forward = axes(camera).forward;

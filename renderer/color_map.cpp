@@ -7,7 +7,7 @@
 namespace griffith::render {
 namespace {
 
-/// 0xRRGGBB at 52 equal steps; straight lines between them stay within 4/255 of the published 256 entries.
+/// 0xRRGGBB at 52 equal steps; linear interpolation stays within 4/255 of the published 256 entries.
 constexpr int kAnchors = 52;
 using Anchors = std::array<std::uint32_t, kAnchors>;
 
@@ -19,7 +19,7 @@ constexpr Anchors kViridis = {0x440154, 0x46085c, 0x471063, 0x481769, 0x481d6f, 
                               0x46c06f, 0x50c46a, 0x5ac864, 0x65cb5e, 0x70cf57, 0x7cd250, 0x89d548, 0x95d840, 0xa2da37,
                               0xb0dd2f, 0xbddf26, 0xcae11f, 0xd8e219, 0xe5e419, 0xf1e51d, 0xfde725};
 
-// Nuñez, Anderton and Renslow (2018): for all kinds of colour vision.
+// Nuñez, Anderton and Renslow (2018): for all kinds of color vision.
 constexpr Anchors kCividis = {0x00224e, 0x002656, 0x002a5f, 0x002d68, 0x003070, 0x083370, 0x163770, 0x203a6f, 0x273e6e,
                               0x2e416d, 0x34456c, 0x3a486c, 0x3f4c6c, 0x444f6c, 0x49536c, 0x4e566c, 0x535a6d, 0x575d6d,
                               0x5c616e, 0x60646f, 0x656870, 0x696b71, 0x6d6f72, 0x727274, 0x767676, 0x7a7a78, 0x7e7d78,
@@ -40,7 +40,7 @@ int channel(std::uint32_t rgb, int index) { return static_cast<int>(rgb >> (16 -
 ColorTable interpolated(const Anchors& anchors) {
   ColorTable table;
   for (int entry = 0; entry < kColorTableSize; ++entry) {
-    // Whole numbers throughout: the anchor before, and how many of kColorTableSize - 1 parts lie beyond it.
+    // Integers throughout: the preceding anchor, and the number of kColorTableSize - 1 parts beyond it.
     const int place = entry * (kAnchors - 1);
     const int before = std::min(place / (kColorTableSize - 1), kAnchors - 2);
     const int part = place - before * (kColorTableSize - 1);

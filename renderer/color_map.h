@@ -9,28 +9,28 @@
 
 namespace griffith::render {
 
-/// viridis and cividis for magnitudes (luminance grows with the value), coolwarm for signed values (range symmetric).
+/// viridis and cividis for magnitudes (luminance grows with the value), coolwarm for signed values (symmetric range).
 enum class ColorMap { viridis, coolwarm, cividis };
 
 inline constexpr std::array<ColorMap, 3> kColorMaps = {ColorMap::viridis, ColorMap::coolwarm, ColorMap::cividis};
 
-/// "viridis", "coolwarm" or "cividis".
+/// Returns "viridis", "coolwarm" or "cividis".
 std::string_view color_map_name(ColorMap map);
 
-/// The map of that name, if there is one.
+/// Returns the map of that name, if there is one.
 std::optional<ColorMap> find_color_map(std::string_view name);
 
 inline constexpr int kColorTableSize = 256;
 
-/// RGBA bytes (sRGB, opaque) of `kColorTableSize` equal steps of the map, lowest value first. Shaders read this same
+/// RGBA bytes (sRGB, opaque) at `kColorTableSize` equal steps of the map, lowest value first. Shaders read the same
 /// table without interpolation, so that a pixel and the legend agree to the byte.
 using ColorTable = std::array<std::uint8_t, 4 * kColorTableSize>;
 const ColorTable& color_table(ColorMap map);
 
-/// The colour of t in [0, 1] (beyond it the end colours): the table's entry ⌊256 t⌋. kNanColor if t is not a number.
+/// Returns the color of t in [0, 1], clamped beyond it: the table's entry ⌊256 t⌋. kNanColor if t is not a number.
 Rgb color_map_color(ColorMap map, float t);
 
-/// Stands for "no value": in none of the maps.
+/// Color of missing values, which no map contains.
 inline constexpr Rgb kNanColor = {204 / 255.0f, 51 / 255.0f, 204 / 255.0f};
 
 }  // namespace griffith::render

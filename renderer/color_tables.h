@@ -7,12 +7,12 @@
 
 namespace griffith::render {
 
-/// All colour maps on the device, for the passes that show scalars.
+/// All color maps on the device, for the passes that show scalars.
 class ColorTables {
  public:
   ColorTables();
 
-  /// Makes `map` the table that shaders look up.
+  /// Binds the table of `map` for shaders.
   void bind(ColorMap map) const;
 
  private:

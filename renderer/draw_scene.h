@@ -13,7 +13,7 @@
 
 namespace griffith::render {
 
-/// The id of what can't be picked: background, ground, and anything whose id was not given.
+/// Id of objects that cannot be picked: background, ground, and anything without an id.
 inline constexpr std::int32_t kNoId = -1;
 
 /// Bits of Surface::flags.
@@ -22,18 +22,18 @@ enum TriangleFlag : std::uint8_t {
   kEdge1 = 1 << 1,  ///< draw the edge opposite corner 1
   kEdge2 = 1 << 2,  ///< draw the edge opposite corner 2
   kAllEdges = kEdge0 | kEdge1 | kEdge2,
-  kCrackFace = 1 << 3,  ///< made by fracture: darker and warmer where no scalar is shown
+  kCrackFace = 1 << 3,  ///< opened by fracture: darker and warmer if no scalar is shown
   kSelected = 1 << 4,   ///< highlighted
-  kPlain = 1 << 5,      ///< in its plain colour although the surface has scalars
-  kClear = 1 << 6,      ///< lets light through, from standard quality on
+  kPlain = 1 << 5,      ///< in its plain color although the surface has scalars
+  kClear = 1 << 6,      ///< transparent, from standard quality on
 };
 
-/// How Surface::scalars become colours, and what the legend says about them.
+/// Mapping from Surface::scalars to colors, with the texts of the legend.
 struct ScalarStyle {
   ColorMap color_map = ColorMap::viridis;
   float minimum = 0, maximum = 1;   ///< values of the map's two ends; minimum < maximum
   std::string quantity, unit;       ///< for the legend, e.g. "largest principal stress", "Pa"
-  std::vector<int> histogram = {};  ///< for the legend: how many values in each of equal parts of the range
+  std::vector<int> histogram = {};  ///< for the legend: counts of values in equal parts of the range
   bool has_nan = false;             ///< for the legend: some values are not numbers
 };
 
@@ -42,37 +42,37 @@ struct ScalarStyle {
 struct Surface {
   std::vector<Eigen::Vector3f> positions;  ///< 3 per triangle, world frame [m]
   std::vector<float> scalars;              ///< 1 per triangle or 3 per triangle (interpolated); shown by scalar_style
-  std::vector<Rgb> colors;                 ///< 1 per triangle, instead of `color`; used where there are no scalars
+  std::vector<Rgb> colors;                 ///< 1 per triangle, instead of `color`; used without scalars
   std::vector<std::int32_t> ids;           ///< 1 per triangle, for picking
   std::vector<std::uint8_t> flags;         ///< 1 per triangle: TriangleFlag bits; none if empty
   ScalarStyle scalar_style;
   Rgb color = {0.74f, 0.77f, 0.80f};
-  float clear_depth = 0.1f;  ///< of kClear triangles: how far light comes before it has their colour [m], > 0
-  /// Whether the triangles bound bodies, with their fronts outside: from there no back is seen, and none is drawn.
+  float clear_depth = 0.1f;  ///< kClear triangles: distance over which light takes their color [m], > 0
+  /// True if the triangles enclose bodies, with their fronts outside: backs are then not drawn from outside.
   bool closed = false;
-  float opacity = 1;  ///< of this and of the embedded surface, 0..1; what is selected stays opaque
+  float opacity = 1;  ///< opacity of this and the embedded surface, 0..1; the selection stays opaque
 };
 
-/// Part of the space: the points x with normal · x <= offset.
+/// Half-space of the points x with normal · x <= offset.
 struct HalfSpace {
   Eigen::Vector3f normal = Eigen::Vector3f::UnitZ();  ///< unit length
   float offset = 0;                                   ///< [m]
 };
 
-/// A unit solid, scaled and turned: the image of
+/// A scaled and rotated unit solid, the image of
 ///   arrow  from the origin to (1, 0, 0), its head of radius 1 about the x axis
 ///   ball   of radius 1
 ///   disc   of radius 1 about the x axis, without thickness
 ///   box    from (−1, −1, −1) to (1, 1, 1)
 struct Glyph {
-  Eigen::Vector3f center = Eigen::Vector3f::Zero();    ///< of the unit solid's origin [m]
+  Eigen::Vector3f center = Eigen::Vector3f::Zero();    ///< image of the unit solid's origin [m]
   Eigen::Matrix3f axes = Eigen::Matrix3f::Identity();  ///< columns: images of the unit axes [m]
   Rgb color = {0.85f, 0.40f, 0.25f};
   float opacity = 1;  ///< 0..1
   std::int32_t id = kNoId;
 };
 
-/// Any number of glyphs, drawn in one call a shape.
+/// Any number of glyphs, drawn in one call per shape.
 struct Glyphs {
   std::vector<Glyph> arrows, balls, discs, boxes;
 };
@@ -84,12 +84,12 @@ struct Sphere {
   std::int32_t id = kNoId;
 };
 
-/// A soft cloud, denser towards its middle.
+/// A soft cloud, denser toward its center.
 struct Puff {
   Eigen::Vector3f center = Eigen::Vector3f::Zero();  ///< [m]
   float radius = 1;                                  ///< [m]
   Rgb color = {0.7f, 0.7f, 0.7f};
-  float opacity = 0.5f;  ///< of the middle, 0..1
+  float opacity = 0.5f;  ///< opacity of the center, 0..1
 };
 
 /// A line of DrawScene::line_width pixels.
@@ -107,14 +107,14 @@ struct Point {
   std::int32_t id = kNoId;
 };
 
-/// A few words at a place, to be drawn over the picture by whoever can write.
+/// A short text at a point, to be drawn over the picture by the caller.
 struct Label {
   Eigen::Vector3f position = Eigen::Vector3f::Zero();  ///< [m]
   std::string text;
-  float rise = 0;  ///< how far its middle is above the place [heights of a line]
+  float rise = 0;  ///< height of its center above the point [heights of a line]
 };
 
-/// A horizontal plane that catches shadows, with a grid that shows the scale (GridLevel).
+/// A horizontal plane that receives shadows, with a grid that shows the scale (GridLevel).
 struct Ground {
   float height = 0;  ///< y of the plane [m]
   Rgb color = {0.86f, 0.87f, 0.88f};
@@ -125,24 +125,25 @@ struct Background {
   Rgb top = {0.80f, 0.85f, 0.90f}, bottom = {0.95f, 0.96f, 0.97f};
 };
 
-/// What must be drawn, as plain data. The renderer knows nothing else about the world.
+/// Content of a picture as plain data; the renderer knows nothing else about the world.
 struct DrawScene {
   Surface surface;
   EmbeddedSurface embedded;
   std::vector<Sphere> spheres;
-  std::vector<Sphere> crumbs;  ///< chips within them, of no weight for what is framed and where shadows fall
-  std::vector<Puff> puffs;     ///< nor these
+  std::vector<Sphere> crumbs;  ///< chips, which affect neither framing nor the extent of shadows
+  std::vector<Puff> puffs;     ///< like crumbs
   std::vector<Line> lines;
   std::vector<Point> points;
   Glyphs glyphs;
   std::vector<Label> labels;
   float line_width = 2;              ///< [pixels]
-  std::optional<HalfSpace> visible;  ///< of surface and embedded surface only this part is drawn
+  std::optional<HalfSpace> visible;  ///< part of surface and embedded surface that is drawn
   std::optional<Ground> ground;
   Background background;
 };
 
-/// The box around everything but the ground; empty for an empty scene. Places that are not finite don't count.
+/// Returns the bounding box of everything but the ground; empty for an empty scene. Positions that are not finite are
+/// ignored.
 Eigen::AlignedBox3f bounds(const DrawScene& scene);
 
 }  // namespace griffith::render

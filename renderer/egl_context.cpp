@@ -15,7 +15,7 @@
 namespace griffith::render {
 
 struct EglState {
-  // The display is the process's own, shared by all contexts on its device: it is never terminated.
+  // The display belongs to the process and is shared by all contexts on its device: it is never terminated.
   EGLDisplay display = EGL_NO_DISPLAY;
   EGLContext context = EGL_NO_CONTEXT;
   std::string renderer, version, origin;
@@ -52,8 +52,8 @@ std::string egl_error(const std::string& what) {
   }
 }
 
-/// The error of loading one of the libraries, any of which does; empty where one is there. It stays loaded.
-std::string why_missing(std::initializer_list<const char*> libraries) {
+/// Loads one of the libraries permanently. Returns the error if none can be loaded, else an empty text.
+std::string loading_error(std::initializer_list<const char*> libraries) {
   std::string reasons;
   for (const char* library : libraries) {
     if (dlopen(library, RTLD_LAZY | RTLD_GLOBAL)) return {};
@@ -62,11 +62,11 @@ std::string why_missing(std::initializer_list<const char*> libraries) {
   return reasons;
 }
 
-/// Libepoxy ends the program where it cannot load these.
+/// Throws RenderError if libraries are missing for which libepoxy would abort the program.
 void require_libraries() {
-  if (const std::string reason = why_missing({"libEGL.so.1"}); !reason.empty())
+  if (const std::string reason = loading_error({"libEGL.so.1"}); !reason.empty())
     throw RenderError("no EGL, which pictures without a window need (Debian's package is libegl1):" + reason);
-  if (const std::string reason = why_missing({"libOpenGL.so.0", "libGL.so.1"}); !reason.empty())
+  if (const std::string reason = loading_error({"libOpenGL.so.0", "libGL.so.1"}); !reason.empty())
     throw RenderError("no OpenGL (Debian's package is libopengl0):" + reason);
 }
 
@@ -88,17 +88,17 @@ bool is_software(EGLDeviceEXT device) {
   return extensions && std::string_view(extensions).find("EGL_MESA_device_software") != std::string_view::npos;
 }
 
-/// One way to a context: a display's platform and the name it goes by in messages.
-struct SubstepRetry {
+/// One way to create a context: platform and name of a display.
+struct DisplayAttempt {
   EGLenum platform;
   void* native_display;
   std::string name;
   bool maybe_hardware;
 };
 
-/// In the order in which they are tried.
-std::vector<SubstepRetry> attempts() {
-  std::vector<SubstepRetry> hardware, software;
+/// Returns the attempts in order.
+std::vector<DisplayAttempt> attempts() {
+  std::vector<DisplayAttempt> hardware, software;
   const std::vector<EGLDeviceEXT> found = devices();
   for (std::size_t i = 0; i < found.size(); ++i) {
     const std::string name = "device " + std::to_string(i);
@@ -115,7 +115,7 @@ std::vector<SubstepRetry> attempts() {
   return hardware;
 }
 
-void open_display(EglState& state, const SubstepRetry& attempt) {
+void open_display(EglState& state, const DisplayAttempt& attempt) {
   state.display = eglGetPlatformDisplayEXT(attempt.platform, attempt.native_display, nullptr);
   if (state.display == EGL_NO_DISPLAY) throw RenderError(egl_error("eglGetPlatformDisplay"));
   if (!eglInitialize(state.display, nullptr, nullptr)) throw RenderError(egl_error("eglInitialize"));
@@ -146,8 +146,8 @@ std::string gl_string(GLenum name) {
   return text ? reinterpret_cast<const char*>(text) : "";
 }
 
-/// Current when it returns; throws RenderError with the reason.
-std::unique_ptr<EglState> make_context(const SubstepRetry& attempt) {
+/// Returns a current context. Throws RenderError with the reason.
+std::unique_ptr<EglState> make_context(const DisplayAttempt& attempt) {
   auto state = std::make_unique<EglState>();
   open_display(*state, attempt);
   create_context(*state);
@@ -157,16 +157,16 @@ std::unique_ptr<EglState> make_context(const SubstepRetry& attempt) {
   return state;
 }
 
-std::vector<SubstepRetry> only_device(std::vector<SubstepRetry> all, int index) {
+std::vector<DisplayAttempt> only_device(std::vector<DisplayAttempt> all, int index) {
   const std::string name = "device " + std::to_string(index);
   std::erase_if(
-      all, [&](const SubstepRetry& attempt) { return attempt.name != name && attempt.name != name + " (software)"; });
+      all, [&](const DisplayAttempt& attempt) { return attempt.name != name && attempt.name != name + " (software)"; });
   return all;
 }
 
-std::string list_of_names(const std::vector<SubstepRetry>& all) {
+std::string list_of_names(const std::vector<DisplayAttempt>& all) {
   std::string names;
-  for (const SubstepRetry& attempt : all) names += (names.empty() ? "" : ", ") + attempt.name;
+  for (const DisplayAttempt& attempt : all) names += (names.empty() ? "" : ", ") + attempt.name;
   return names.empty() ? "none" : names;
 }
 
@@ -174,10 +174,10 @@ std::string list_of_names(const std::vector<SubstepRetry>& all) {
 
 EglContext::EglContext(std::optional<int> device_index) {
   require_libraries();
-  const std::vector<SubstepRetry> all = attempts();
-  const std::vector<SubstepRetry> chosen = device_index ? only_device(all, *device_index) : all;
+  const std::vector<DisplayAttempt> all = attempts();
+  const std::vector<DisplayAttempt> chosen = device_index ? only_device(all, *device_index) : all;
   std::string tried;
-  for (const SubstepRetry& attempt : chosen) {
+  for (const DisplayAttempt& attempt : chosen) {
     if (state_ && !attempt.maybe_hardware) break;
     try {
       std::unique_ptr<EglState> made = make_context(attempt);

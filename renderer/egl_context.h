@@ -8,13 +8,12 @@ namespace griffith::render {
 
 struct EglState;
 
-/// An OpenGL 3.3 core context (or newer) without window or display, current on the thread that made it.
-/// Move-only.
+/// An OpenGL 3.3 core context (or newer) without window or display, current on the thread that made it. Move-only.
 class EglContext {
  public:
-  /// Tries device `device_index` of the enumeration if one is given (then nothing else), or else the hardware devices
-  /// in turn, then Mesa's surfaceless platform, then software devices. Throws RenderError that lists every attempt and
-  /// why it failed, or says which library is missing.
+  /// Tries only device `device_index` of the enumeration if one is given. Otherwise tries the hardware devices in
+  /// order, then Mesa's surfaceless platform, then software devices. Throws RenderError with the error of every
+  /// attempt, or with the name of the missing library.
   explicit EglContext(std::optional<int> device_index = std::nullopt);
   ~EglContext();
   EglContext(EglContext&&) noexcept;
@@ -24,7 +23,7 @@ class EglContext {
 
   const std::string& renderer() const;  ///< GL_RENDERER
   const std::string& version() const;   ///< GL_VERSION
-  const std::string& origin() const;    ///< how it was made, e.g. "device 0" or "surfaceless"
+  const std::string& origin() const;    ///< origin of the context, e.g. "device 0" or "surfaceless"
 
  private:
   std::unique_ptr<EglState> state_;

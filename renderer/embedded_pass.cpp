@@ -14,7 +14,7 @@ constexpr int kMaterialFloats = 14;
 
 const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
-/// Attributes of the corners in the bound buffer.
+/// Describes the attributes of corners in the bound buffer.
 void describe_corners() {
   const auto floats = [](GLuint index, GLint size, std::size_t at) {
     glEnableVertexAttribArray(index);
@@ -40,18 +40,18 @@ void add_fan(std::vector<std::uint32_t>& indices, const EmbeddedPolygon& polygon
   for (std::uint32_t i = 2; i < corners; ++i) indices.insert(indices.end(), {first, first + i - 1, first + i});
 }
 
-/// Materials as the shader reads them.
+/// Packs materials for the shader.
 std::vector<float> packed(const std::vector<EmbeddedMaterial>& materials) {
   std::vector<float> values;
   values.reserve(kMaterialFloats * materials.size());
-  for (const auto& [color, variation, mottle, roughness, noise_size, fibre, clear_depth, grain, grain_size, dressed,
+  for (const auto& [color, variation, mottle, roughness, noise_size, fiber, clear_depth, grain, grain_size, dressed,
                     gloss] : materials)
-    values.insert(values.end(), {color.r, color.g, color.b, variation, mottle, roughness, noise_size, fibre.x(),
-                                 fibre.y(), fibre.z(), clear_depth, static_cast<float>(grain), grain_size, gloss});
+    values.insert(values.end(), {color.r, color.g, color.b, variation, mottle, roughness, noise_size, fiber.x(),
+                                 fiber.y(), fiber.z(), clear_depth, static_cast<float>(grain), grain_size, gloss});
   return values;
 }
 
-/// 0: none, 1: per tet, 2: per point.
+/// Returns 0 for none, 1 for one scalar per tet, 2 for one per point.
 int scalar_kind(const EmbeddedSurface& surface) {
   if (surface.scalars.empty()) return 0;
   return surface.scalars_per_point ? 2 : 1;
@@ -61,14 +61,14 @@ std::string fragment_source(Output output) {
   return with_output(std::string(shaders::shading_glsl) + shaders::grain_glsl + shaders::embedded_frag, output);
 }
 
-/// Whether matter shows its grain.
+/// True if materials show their grain.
 bool shows_grain(const EmbeddedSurface& surface, const RenderOptions& options, Output output) {
   return output == Output::opaque && options.quality != Quality::draft && surface.scalars.empty() &&
          surface.piece_colors.empty() &&
          std::ranges::any_of(surface.materials, [](const auto& material) { return material.grain != Grain::none; });
 }
 
-/// Whether a draft shows materials and nothing else.
+/// True if a draft shows only materials.
 bool is_plain(const EmbeddedSurface& surface, const RenderOptions& options) {
   return options.quality == Quality::draft && surface.scalars.empty() && surface.piece_colors.empty() &&
          !options.edges && !surface.checker;

@@ -10,13 +10,13 @@
 
 namespace griffith::render {
 
-/// Polygons that tets carry: the vertex shader finds their places, so that a frame uploads points, tets and what
-/// carries each part, but no polygon.
+/// Polygons carried by tets. The vertex shader computes their positions, so that a frame uploads points, tets and the
+/// carrier of each part, but no polygons.
 class EmbeddedPass {
  public:
   EmbeddedPass();
   void upload(const EmbeddedSurface& surface);
-  /// `skips_clear`: what lets light through is left out.
+  /// `skips_clear`: leaves transparent polygons out.
   void draw_depth(DrawnPart part) const;
   void draw(const EmbeddedSurface& surface, const ScalarStyle& style, const ColorTables& color_tables,
             const RenderOptions& options, const Background& sky, float opacity, Output output, DrawnPart part) const;
@@ -27,7 +27,7 @@ class EmbeddedPass {
   void upload_opened(const std::vector<std::int32_t>& opened);
   const ShaderProgram& program_for(const EmbeddedSurface& surface, const RenderOptions& options, Output output,
                                    DrawnPart part) const;
-  void draw_triangles(GLsizei first, GLsizei end) const;  ///< of the indices
+  void draw_triangles(GLsizei first, GLsizei end) const;  ///< draws a range of the indices
 
   LitProgram program_, transparent_program_;
   ShaderProgram plain_program_, glass_program_, grain_program_, depth_program_, part_depth_program_;

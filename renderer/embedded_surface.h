@@ -11,10 +11,10 @@
 
 namespace griffith::render {
 
-using Weights = Eigen::Matrix<float, 4, 1, Eigen::DontAlign>;  ///< barycentric, of a tet's corners
+using Weights = Eigen::Matrix<float, 4, 1, Eigen::DontAlign>;  ///< barycentric weights of a tet's corners
 
-/// The direction of a normal that a tet carries: in proportion to its products with the three edges from the tet's
-/// first point to the others, before anything moved. All 0: none, the polygon is flat.
+/// Direction of a normal carried by a tet: proportional to its products with the three edges from the tet's first point
+/// to the others, at rest. All 0: none, the polygon is flat.
 class CarriedNormal {
  public:
   CarriedNormal() = default;
@@ -26,33 +26,33 @@ class CarriedNormal {
   }
 
  private:
-  std::array<std::int16_t, 4> products_ = {};  ///< the last one fills up
+  std::array<std::int16_t, 4> products_ = {};  ///< the last one is padding
 };
 
-/// A corner of a polygon that tets carry. Its place is the mean of a tet's points with one of two sets of barycentric
-/// weights: those in its own tet, or, where another tet carries its part, those in that other one.
+/// A corner of a polygon carried by tets. Its position is the mean of a tet's points with one of two sets of
+/// barycentric weights: those in its own tet or, if another tet carries its part, those in the other one.
 struct EmbeddedCorner {
-  Eigen::Vector3f rest = Eigen::Vector3f::Zero();  ///< where it was before anything moved [m]: noise sticks to it
+  Eigen::Vector3f rest = Eigen::Vector3f::Zero();  ///< rest position [m], to which noise is fixed
   Weights weights = Weights::Zero(), other_weights = Weights::Zero();
-  std::int32_t tet = 0;                          ///< its own
-  std::int32_t part = 0;                         ///< which entry of EmbeddedSurface::carriers holds for it
-  std::int32_t piece = 0;                        ///< which entry of EmbeddedSurface::piece_colors holds for it
+  std::int32_t tet = 0;                          ///< its own tet
+  std::int32_t part = 0;                         ///< index into EmbeddedSurface::carriers
+  std::int32_t piece = 0;                        ///< index into EmbeddedSurface::piece_colors
   std::int32_t style = 0;                        ///< EmbeddedStyle
   CarriedNormal normal = {}, other_normal = {};  ///< in its own tet and in the other one
   Eigen::Vector2f uv = Eigen::Vector2f::Zero();
 };
 
-/// What a polygon looks like, packed.
+/// Appearance of a polygon, packed.
 struct EmbeddedStyle {
   int material = 0;       ///< index into EmbeddedSurface::materials, below 2^16
-  int tet_face = -1;      ///< 0..3: the face of its tet in which it lies, whose edges are drawn; -1: none
-  bool inner = false;     ///< made by fracture
-  bool textured = false;  ///< its corners have places in a texture
+  int tet_face = -1;      ///< 0..3: face of its tet in which it lies, whose edges are drawn; -1: none
+  bool inner = false;     ///< opened by fracture
+  bool textured = false;  ///< its corners have texture coordinates
 
   std::int32_t packed() const { return material | (tet_face + 1) << 16 | int(inner) << 20 | int(textured) << 21; }
 };
 
-/// A convex polygon: some corners, one after the other.
+/// A convex polygon: a range of corners.
 struct EmbeddedPolygon {
   std::int32_t first_corner = 0, corners = 0;
 };
@@ -61,48 +61,48 @@ struct EmbeddedPolygon {
 struct EmbeddedMesh {
   std::vector<EmbeddedCorner> corners;
   std::vector<EmbeddedPolygon> polygons;
-  std::vector<std::int32_t> outer;  ///< the polygons that are always drawn
+  std::vector<std::int32_t> outer;  ///< polygons that are always drawn
 };
 
-/// What a matter is made of, seen where it broke or was dressed, from standard quality on.
+/// Structure of a material, visible on fracture surfaces or dressed faces, from standard quality on.
 enum class Grain {
   none,
   stones,    ///< rounded stones of three sizes in a matrix
   clay,      ///< small grains and pores
-  sand,      ///< as stones, of like tones
-  crystals,  ///< of several minerals, one dark
+  sand,      ///< like stones, of similar tones
+  crystals,  ///< several minerals, one dark
   facets,    ///< crystals of one kind
   veins,     ///< the same, with dark veins through them
-  rings      ///< of growth, with fibres
+  rings      ///< growth rings with fibers
 };
 
-/// The look of a matter where no scalar is shown.
+/// Appearance of a material if no scalar is shown.
 struct EmbeddedMaterial {
   Rgb color = {0.7f, 0.7f, 0.7f};
-  float variation = 0;                              ///< of brightness from piece to piece, as a share
-  float mottle = 0;                                 ///< of brightness within a piece, as a share
-  float roughness = 0;                              ///< how far the normal is turned about, as a slope
-  float noise_size = 0.05f;                         ///< of mottle and roughness [m]
-  Eigen::Vector3f fibre = Eigen::Vector3f::Zero();  ///< direction times √(1 − 1/stretch) of noise along it
-  float clear_depth = 0;  ///< how far light comes through before it has the colour [m]; 0: not at all
+  float variation = 0;                              ///< relative variation of brightness between pieces
+  float mottle = 0;                                 ///< relative variation of brightness within a piece
+  float roughness = 0;                              ///< perturbation of the normal, as a slope
+  float noise_size = 0.05f;                         ///< scale of mottle and roughness [m]
+  Eigen::Vector3f fiber = Eigen::Vector3f::Zero();  ///< direction times √(1 − 1/elongation) of noise along it
+  float clear_depth = 0;                            ///< distance over which light takes the color [m]; 0: opaque
   Grain grain = Grain::none;
-  float grain_size = 0.02f;  ///< of its largest parts [m]
-  bool dressed = false;      ///< its grain is seen on outer polygons too
-  float gloss = 0;           ///< of a glaze that mirrors sky and lamp, 0..1, from standard quality on
+  float grain_size = 0.02f;  ///< size of its largest parts [m]
+  bool dressed = false;      ///< shows its grain on outer polygons too
+  float gloss = 0;           ///< strength of a glaze that reflects sky and lamp, 0..1, from standard quality on
 };
 
-/// Embedded polygons as they are now. Nothing is drawn without a mesh.
+/// Embedded polygons in their current state. Nothing is drawn without a mesh.
 struct EmbeddedSurface {
   std::shared_ptr<const EmbeddedMesh> mesh;
   std::vector<Eigen::Vector3f> points;            ///< world frame [m]
   std::vector<std::array<std::int32_t, 4>> tets;  ///< indices into `points`; a triangle's id is its own tet
   std::vector<std::int32_t> carriers;             ///< per part: the tet that carries it
-  std::vector<std::int32_t> opened;               ///< polygons that are drawn besides the outer ones
+  std::vector<std::int32_t> opened;               ///< polygons that are drawn in addition to the outer ones
   std::vector<float> scalars;                     ///< shown by Surface::scalar_style; may be empty
-  bool scalars_per_point = false;                 ///< of `scalars`: one a point, else one a tet
-  std::vector<Rgb> piece_colors;                  ///< per piece, where there are no scalars; else materials are shown
+  bool scalars_per_point = false;                 ///< true for one scalar per point, false for one per tet
+  std::vector<Rgb> piece_colors;                  ///< per piece, if there are no scalars; otherwise materials are shown
   std::vector<EmbeddedMaterial> materials;
-  bool closed = false;             ///< the polygons bound bodies, as the triangles of a closed Surface do
+  bool closed = false;             ///< the polygons enclose bodies, like the triangles of a closed Surface
   bool checker = false;            ///< textured polygons show squares of a sixteenth of their texture
   std::int32_t selected_tet = -1;  ///< highlighted
 };

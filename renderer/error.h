@@ -4,8 +4,8 @@
 
 namespace griffith::render {
 
-/// No graphics device, a shader that the driver rejects, an image file that can't be read. what() says
-/// which.
+/// Error such as a missing graphics device, a shader that the driver rejects, or an unreadable image file. what()
+/// describes it.
 class RenderError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

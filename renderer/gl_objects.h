@@ -6,7 +6,7 @@
 
 namespace griffith::render {
 
-/// Owns one OpenGL object. A null object (made by GlObject(nullptr)) has id 0. Needs a current context from
+/// Owner of one OpenGL object. A null object (made by GlObject(nullptr)) has id 0. Needs a current context from
 /// construction to destruction.
 template <class Kind>
 class GlObject {
@@ -65,7 +65,7 @@ using Renderbuffer = GlObject<RenderbufferKind>;
 using VertexArray = GlObject<VertexArrayKind>;
 using Program = GlObject<ProgramKind>;
 
-/// Restores, at its end, the framebuffers that were bound and the viewport.
+/// Restores the bound framebuffers and the viewport in its destructor.
 class BoundFramebuffer {
  public:
   BoundFramebuffer() {
@@ -85,8 +85,8 @@ class BoundFramebuffer {
   GLint draw_ = 0, read_ = 0, viewport_[4] = {};
 };
 
-/// Resolves the two colour attachments of a multisampled framebuffer into those of another one of the same size. Leaves
-/// both bound, the latter with both attachments drawn into.
+/// Resolves the two color attachments of a multisampled framebuffer into those of another one of the same size. Leaves
+/// both bound, the latter with both attachments enabled for drawing.
 inline void resolve_attachments(const Framebuffer& multisampled, const Framebuffer& resolved, int width, int height) {
   constexpr GLenum kAttachments[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
   glBindFramebuffer(GL_READ_FRAMEBUFFER, multisampled.id());

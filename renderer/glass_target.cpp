@@ -13,7 +13,7 @@ struct GlassSum {
   GLenum layout;
 };
 
-// Differences of distances decide: 16 bits would be too few for the depths.
+// Differences of distances matter: 16 bits would be too few for the depths.
 constexpr std::array<GlassSum, 3> kGlassSums = {{{GL_COLOR_ATTACHMENT0, kColorSumsUnit, GL_RGBA32F, GL_RGBA},
                                                  {GL_COLOR_ATTACHMENT1, kWeightSumsUnit, GL_RGBA16F, GL_RGBA},
                                                  {GL_COLOR_ATTACHMENT2, kFaceSumsUnit, GL_RGBA16F, GL_RGBA}}};
@@ -50,7 +50,7 @@ void make_glass_texture(const Texture& texture, int unit, GLint format, GLenum l
 GlassTarget::GlassTarget(const Target& target)
     : target_(target),
       program_("glass", shaders::background_vert, shaders::glass_blend_frag),
-      distance_program_("distance of what is opaque", shaders::background_vert, shaders::glass_distance_frag) {
+      distance_program_("distance of opaque objects", shaders::background_vert, shaders::glass_distance_frag) {
   const BoundFramebuffer previous;
   make_buffers();
   make_distance_buffers();
@@ -88,7 +88,7 @@ void GlassTarget::make_distance_buffers() {
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, distances_.id(), 0);
 }
 
-/// Leaves depth untested.
+/// Leaves the depth test disabled.
 void GlassTarget::measure_distances(const Mat4& world_from_clip) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, target_.samples() > 1 ? multisampled_.id() : resolved_.id());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, depth_buffer_.id());

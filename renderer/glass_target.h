@@ -7,21 +7,22 @@
 
 namespace griffith::render {
 
-/// Clear matter in any order: optical depths, reflected light and slopes of its faces are added up here, before what is
-/// opaque in a Target, and then decide how that is seen. Sums need no sorting, and optical depths of entered and left
-/// faces, with opposite signs, give the thickness of a body exactly, or how much of it lies before what is opaque.
-/// Shaders write through emit_glass() (glass.glsl).
+/// Transparent materials in any order. Optical depths, reflected light and slopes of their faces are accumulated here,
+/// in front of the opaque part of a Target, and then determine its appearance. Sums need no sorting. Optical depths of
+/// entered and left faces have opposite signs, so that their sum is exactly the thickness of a body, or its part in
+/// front of opaque objects. Shaders write through emit_glass() (glass.glsl).
 class GlassTarget {
  public:
-  /// Of the size, samples and depth of `target`, which must outlive it.
+  /// Has the size, samples and depth of `target`, which must outlive it.
   explicit GlassTarget(const Target& target);
 
-  /// Clears it and makes it what is drawn into, hidden faces too: they know how far what is opaque is in the target
-  /// now. `world_from_clip`: inverse of the picture's projection.
+  /// Clears and binds it for drawing, including hidden faces, and measures the distance to opaque objects of the
+  /// target. `world_from_clip`: inverse of the picture's projection.
   void begin(const Mat4& world_from_clip) const;
-  /// Ends adding up.
+  /// Ends the accumulation.
   void end() const;
-  /// Puts clear matter before the target's resolved picture. Leaves the target's resolved framebuffer bound.
+  /// Blends the transparent materials over the target's resolved picture. Leaves the target's resolved framebuffer
+  /// bound.
   void blend() const;
 
  private:
@@ -37,7 +38,7 @@ class GlassTarget {
   VertexArray vertices_;
   std::array<Texture, kSums> sums_;
   Texture opaque_, depth_, distances_;
-  std::array<Renderbuffer, kSums> samples_;  ///< used with more than 1 sample only
+  std::array<Renderbuffer, kSums> samples_;  ///< only with more than 1 sample
   Framebuffer resolved_, multisampled_, depth_buffer_, distance_buffer_;
 };
 

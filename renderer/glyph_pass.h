@@ -7,7 +7,7 @@
 
 namespace griffith::render {
 
-/// Glyphs: a fixed mesh a shape, one instanced draw call for those that are opaque and one for the others. They cast no
+/// Glyphs: a fixed mesh for each shape, one instanced draw call for opaque ones and one for the others. They cast no
 /// shadow.
 class GlyphPass {
  public:

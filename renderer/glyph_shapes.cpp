@@ -8,14 +8,14 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr int kSides = 32;  // round the x axis
+constexpr int kSides = 32;  // around the x axis
 
 Vector3f round(int side, float x, float radius) {
   const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(side) / kSides;
   return {x, radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-/// A ring of the surface of revolution: at each end its place on the axis, radius, and normal as (along, outwards).
+/// A ring of the surface of revolution: position on the axis, radius, and normal as (along, outward) at each end.
 struct Profile {
   float x, radius, normal_x, normal_radius;
 };
@@ -36,7 +36,7 @@ void add_ring(std::vector<GlyphCorner>& corners, const Profile& a, const Profile
 }  // namespace
 
 std::vector<GlyphCorner> arrow_shape() {
-  constexpr float kHead = 0.68f, kShaft = 0.4f;  // where the head begins; the shaft's radius
+  constexpr float kHead = 0.68f, kShaft = 0.4f;  // position of the head's base; radius of the shaft
   std::vector<GlyphCorner> corners;
   add_ring(corners, {0, 0, -1, 0}, {0, kShaft, -1, 0});
   add_ring(corners, {0, kShaft, 0, 1}, {kHead, kShaft, 0, 1});

@@ -10,7 +10,7 @@ struct GlyphCorner {
   Eigen::Vector3f position, normal;
 };
 
-/// Triangles, three corners each, of the unit solids that Glyph (draw_scene.h) describes.
+/// Each returns the triangles of a unit solid of Glyph (draw_scene.h), three corners each.
 std::vector<GlyphCorner> arrow_shape();
 std::vector<GlyphCorner> ball_shape();
 std::vector<GlyphCorner> disc_shape();

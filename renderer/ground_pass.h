@@ -5,18 +5,18 @@
 
 namespace griffith::render {
 
-/// The lines of the ground's grid: powers of ten apart, fit for how much of it is seen. The finest fade as the view
-/// widens, so that no spacing comes or goes at once.
+/// Spacing of the ground's grid: powers of ten that suit the view. The finest lines fade as the view widens, so that no
+/// spacing appears or disappears abruptly.
 struct GridLevel {
   float spacing = 1;  ///< between the finest lines [m]
-  float fade = 0;     ///< how far they have faded: 0 in full, towards 1 gone; the next are then what they were
+  float fade = 0;     ///< fade of the finest lines, from 0 (visible) to 1 (gone); at 1 the next ones take their place
 };
 
-/// `view_height`: of the part of the plane through the camera's target that the picture shows [m], > 0.
+/// Returns the grid for a view. `view_height`: height of the view at the camera's target [m], > 0.
 GridLevel grid_level(float view_height);
 
-/// The ground plane around `center`, fading into what is behind it towards `radius` [m]. Drawn after what is
-/// opaque. From below it is a veil that hides nothing.
+/// Ground plane around `center`, fading into the background toward `radius` [m]. Drawn after opaque objects. From below
+/// it is a veil that hides nothing.
 class GroundPass {
  public:
   GroundPass();

@@ -7,15 +7,16 @@ namespace {
 
 using Eigen::Vector3d, Eigen::Vector3f;
 
-/// Whether the origin lies to the left of the way from a to b, seen along the y axis. Of a way and the way back it is
-/// true for exactly one, so that a line through an edge meets one of its triangles.
+/// True if the origin lies to the left of the line from a to b, seen along the y axis. It is true for exactly one of a
+/// line and its reverse, so that a ray through an edge meets one of the two triangles.
 bool is_left(const Vector3d& a, const Vector3d& b) {
   const double area = a.x() * b.z() - a.z() * b.x();
   if (area != 0) return area > 0;
   return a.x() != b.x() ? a.x() < b.x() : a.z() < b.z();
 }
 
-/// How a triangle is crossed by the half-line from the origin along the y axis: 1 one way, −1 the other, 0 not at all.
+/// Returns the crossing of a triangle by the ray from the origin along the y axis: 1 in one direction, −1 in the other,
+/// 0 for none.
 int crossing(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   const bool left = is_left(a, b);
   if (is_left(b, c) != left || is_left(c, a) != left) return 0;
@@ -28,7 +29,7 @@ int crossing(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
 
 HiddenBacks hidden_backs(const DrawScene& scene, bool glass) {
   const bool whole = scene.surface.opacity == 1 && !scene.visible;
-  const bool alike = !glass || scene.embedded.selected_tet < 0;  // a selection is opaque, and no body by itself
+  const bool alike = !glass || scene.embedded.selected_tet < 0;  // a selection is opaque, and not closed
   return {whole && alike && scene.surface.closed, whole && alike && scene.embedded.closed};
 }
 

@@ -6,21 +6,21 @@
 
 namespace griffith::render {
 
-/// Of which surfaces the faces that look away are hidden by others, so that they need not be drawn.
+/// Surfaces whose back faces are hidden by other faces and need not be drawn.
 struct HiddenBacks {
   bool surface = false, embedded = false;
 };
 
-/// Seen from outside of all bodies. `glass`: whether light comes through what is clear.
+/// Returns them for a view from outside of all bodies. `glass`: transparent materials are drawn as such.
 HiddenBacks hidden_backs(const DrawScene& scene, bool glass);
 
-/// Seen from a place that may be within a body.
+/// Returns them for an eye that may be inside a body.
 HiddenBacks hidden_backs_from(const DrawScene& scene, bool glass, const Eigen::Vector3f& eye);
 
-/// Whether a place is within what the triangles bound. They must be closed.
+/// True if a point is inside the triangles, which must be closed.
 bool is_inside(const Surface& surface, const Eigen::Vector3f& place);
 
-/// Whether a place is within one of the tets that carry polygons.
+/// True if a point is inside one of the tets that carry polygons.
 bool is_inside(const EmbeddedSurface& surface, const Eigen::Vector3f& place);
 
 }  // namespace griffith::render

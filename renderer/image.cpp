@@ -37,7 +37,7 @@ std::string encode_png(const Image& image) {
   std::string bytes;
   if (!stbi_write_png_to_func(append_bytes, &bytes, image.width, image.height, kChannels, image.rgba.data(),
                               kChannels * image.width))
-    throw std::bad_alloc();  // the one thing that it fails for
+    throw std::bad_alloc();  // its only error
   return bytes;
 }
 

@@ -5,8 +5,8 @@
 
 namespace griffith::render {
 
-/// An image on the graphics device, for user interfaces: a GL_TEXTURE_2D whose first row is the top one, averaged where
-/// it is drawn smaller. Needs a current context from construction to destruction.
+/// An image on the graphics device for user interfaces: a GL_TEXTURE_2D whose first row is the top one, with mipmaps.
+/// Needs a current context from construction to destruction.
 class ImageTexture {
  public:
   explicit ImageTexture(const Image& image);

@@ -4,21 +4,21 @@
 
 namespace griffith::render {
 
-/// Ambient occlusion: how open to the sky what is seen at each pixel is, found from depth alone. The map may be
-/// smaller than the picture.
+/// Ambient occlusion: the openness to the sky of the visible point at each pixel, computed from depth alone. The map
+/// may be smaller than the picture.
 class OcclusionMap {
  public:
-  /// Of that size [pixels].
+  /// `width`, `height`: of the map [pixels].
   OcclusionMap(int width, int height);
 
   int width() const { return width_; }
   int height() const { return height_; }
 
-  /// Clears it and makes its depth what is drawn into.
+  /// Clears the map and binds its depth for drawing.
   void begin() const;
 
-  /// Finds the occlusion of what was drawn with that `view_projection`, by what is within `reach` [m], and makes it
-  /// what shaders look up. The View block must be bound.
+  /// Computes the occlusion within `reach` [m] of the objects drawn with that `view_projection`, and binds it for
+  /// shaders. The View block must be bound.
   void finish(const Mat4& view_projection, float reach, int samples) const;
 
  private:

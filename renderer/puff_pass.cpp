@@ -28,7 +28,7 @@ void PuffPass::draw(Light light) const {
   program_.in(light).use();
   glEnable(GL_BLEND);
   glDepthMask(GL_FALSE);
-  glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);  // what is behind can be picked
+  glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);  // objects behind puffs can be picked
   glBindVertexArray(vertices_.id());
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count_);
   glColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);

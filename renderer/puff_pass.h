@@ -6,13 +6,12 @@
 
 namespace griffith::render {
 
-/// Puffs: soft discs that face the eye, laid over what is opaque in the order in which they come. One instanced draw
-/// call.
+/// Puffs: soft discs facing the eye, blended over opaque objects in their order. One instanced draw call.
 class PuffPass {
  public:
   PuffPass();
   void upload(const std::vector<Puff>& puffs);
-  /// Leaves blending off and depth as it was.
+  /// Leaves blending off and depth unchanged.
   void draw(Light light) const;
 
  private:

@@ -26,7 +26,7 @@
 namespace griffith::render {
 namespace {
 
-/// What matters in the picture: the scene, but for what has flown far from the target.
+/// Returns the focus of the picture: the scene without objects far from the target.
 Focus focus_of(const Eigen::AlignedBox3f& box, const Camera& camera) {
   constexpr float kSmallest = 1e-3f, kLargest = 2.3f;  // [m], and in distances to the target
   const float limit = kLargest * (camera.position - camera.target).norm();
@@ -36,10 +36,10 @@ Focus focus_of(const Eigen::AlignedBox3f& box, const Camera& camera) {
   return {near.center(), std::max(0.5f * near.sizes().norm(), kSmallest)};
 }
 
-/// The ground fades out at this distance from the focus.
+/// Radius around the focus at which the ground has faded out.
 float ground_radius(const Focus& focus) { return 9 * focus.radius; }
 
-/// The scene's box with what flies about, and the ground that is seen.
+/// Returns the scene's bounding box including distant objects and the visible ground.
 Eigen::AlignedBox3f visible_box(const DrawScene& scene, const Focus& focus, Eigen::AlignedBox3f box) {
   for (const Sphere& crumb : scene.crumbs) box.extend(crumb.center);
   for (const Puff& puff : scene.puffs) {
@@ -53,12 +53,12 @@ Eigen::AlignedBox3f visible_box(const DrawScene& scene, const Focus& focus, Eige
   return box;
 }
 
-/// What a quality asks for.
+/// Effects of a quality.
 struct Effects {
-  float penumbra = 0;          ///< width over the distance of what casts the shadow
-  int shadow_samples = 0;      ///< of a penumbra
+  float penumbra = 0;          ///< width relative to the distance of the occluder
+  int shadow_samples = 0;      ///< samples of a penumbra
   int occlusion_samples = 0;   ///< 0: no ambient occlusion
-  int occlusion_fraction = 1;  ///< width and height of the picture over those of its occlusion map
+  int occlusion_fraction = 1;  ///< ratio of the picture's size to that of its occlusion map
 };
 
 Effects effects_of(Quality quality) {
@@ -67,7 +67,8 @@ Effects effects_of(Quality quality) {
   return {};
 }
 
-/// Of a side of the shadow map. In a draft none needs to be smaller than a pixel at the camera's target.
+/// Returns the side of the shadow map in texels. In a draft a texel need not be smaller than a pixel at the camera's
+/// target.
 int shadow_texels(const Focus& focus, const Camera& camera, const RenderOptions& options) {
   if (options.quality != Quality::draft) return ShadowMap::kMostTexels;
   const float pixel = height_at_target(camera) / static_cast<float>(options.height);  // [m]
@@ -86,7 +87,7 @@ ViewBlock picture_view(const Camera& camera, const Eigen::AlignedBox3f& box, con
   return block;
 }
 
-/// As the uniform block wants it: with a little room, so that what lies on the plane is drawn.
+/// Returns the visible half-space for the uniform block, with a margin so that objects on the plane are drawn.
 Vec4 visible_plane(const DrawScene& scene, float radius) {
   constexpr float kSlack = 1e-5f;
   if (!scene.visible) return Vec4::UnitW();
@@ -94,7 +95,7 @@ Vec4 visible_plane(const DrawScene& scene, float radius) {
   return {normal.x(), normal.y(), normal.z(), offset + kSlack * (radius + std::abs(offset))};
 }
 
-/// Whether light comes through some of what is drawn.
+/// True if some drawn material is transparent.
 bool has_glass(const DrawScene& scene, const RenderOptions& options) {
   if (options.quality == Quality::draft || scene.surface.opacity < 1) return false;
   const EmbeddedSurface& embedded = scene.embedded;
@@ -103,7 +104,7 @@ bool has_glass(const DrawScene& scene, const RenderOptions& options) {
          std::ranges::any_of(scene.surface.flags, [](std::uint8_t flags) { return flags & kClear; });
 }
 
-/// Leaves out faces that look away as long as it lives.
+/// Culls back faces during its lifetime.
 class Culling {
  public:
   explicit Culling(bool culls) {
@@ -114,13 +115,13 @@ class Culling {
   Culling& operator=(const Culling&) = delete;
 };
 
-/// What is drawn as opaque.
+/// Returns the part that is drawn as opaque.
 DrawnPart opaque_part(const DrawScene& scene, bool glass) {
   if (glass) return DrawnPart::not_clear;
   return scene.surface.opacity < 1 ? DrawnPart::selected : DrawnPart::all;
 }
 
-/// Everything the passes rely on, whoever drew before.
+/// Sets all OpenGL state on which the passes rely.
 void set_state() {
   for (const GLenum off : {GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_FRAMEBUFFER_SRGB,
                            GL_SAMPLE_ALPHA_TO_COVERAGE, GL_PRIMITIVE_RESTART, GL_CLIP_DISTANCE0, GL_DEPTH_CLAMP}) {
@@ -149,11 +150,11 @@ struct Renderer::Passes {
   StrokePass strokes;
   GroundPass ground;
   Target target{1, 1};
-  std::unique_ptr<OcclusionMap> occlusion;  // none until something is occluded
-  std::unique_ptr<BlendTarget> blend;       // of the target; none until something is transparent
-  std::unique_ptr<GlassTarget> glass;       // of the target; none until something is clear
+  std::unique_ptr<OcclusionMap> occlusion;  // null until there is occlusion
+  std::unique_ptr<BlendTarget> blend;       // for the target; null until something is transparent
+  std::unique_ptr<GlassTarget> glass;       // for the target; null until a material is transparent
   HiddenBacks hidden;                       // from the eye
-  Mat4 world_from_clip;                     // of the picture
+  Mat4 world_from_clip;                     // inverse of the picture's projection
   int requested_samples = 1;                // target.samples() may be fewer
 
   void resize(const RenderOptions& options);
@@ -161,7 +162,7 @@ struct Renderer::Passes {
   void draw_surfaces(const DrawScene& scene, const RenderOptions& options, Output output, DrawnPart part) const;
   void add_up_glass(const DrawScene& scene, const RenderOptions& options);
   void draw_transparent(const DrawScene& scene, const RenderOptions& options);
-  /// Depth alone, of what light does not come through.
+  /// Draws only the depth of opaque parts.
   void draw_depths(const DrawScene& scene, const RenderOptions& options, const HiddenBacks& backs) const;
   void draw_depths_of_surfaces(DrawnPart part, const HiddenBacks& backs) const;
   void draw_shadow_maps(const DrawScene& scene, const ViewBlock& view, const RenderOptions& options, int texels);
@@ -219,7 +220,7 @@ void Renderer::Passes::draw_shadow_maps(const DrawScene& scene, const ViewBlock&
   if (options.shadows) {
     shadow_view.bind(view);
     glEnable(GL_POLYGON_OFFSET_FILL);
-    glEnable(GL_DEPTH_CLAMP);  // what reaches out of the map towards the lamp casts its shadow all the same
+    glEnable(GL_DEPTH_CLAMP);  // objects between the map and the lamp cast shadows too
     glPolygonOffset(1.5f, 2);  // against self-shadowing
     draw_depths(scene, options, backs);
   }
@@ -273,7 +274,7 @@ void Renderer::Passes::draw_picture(const DrawScene& scene, const Camera& camera
   shadow_map.bind();
   clear_shadow_map.bind_clear();
   background.draw(scene.background);
-  glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);  // the picture is opaque; alpha only blends
+  glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);  // the picture is opaque; alpha is used for blending alone
   draw_surfaces(scene, options, Output::opaque, opaque_part(scene, clear));
   spheres.draw(light_of(options.quality));
   crumbs.draw(light_of(options.quality));
@@ -305,7 +306,7 @@ void Renderer::Passes::draw_transparent(const DrawScene& scene, const RenderOpti
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   if (clear) add_up_glass(scene, options);
-  if (see_through || clear) {  // what is seen through can be picked all the same
+  if (see_through || clear) {  // transparent objects can be picked
     target.bind();
     glColorMaski(0, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     draw_surfaces(scene, options, Output::opaque, clear ? DrawnPart::clear : DrawnPart::unselected);

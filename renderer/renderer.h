@@ -9,20 +9,20 @@
 
 namespace griffith::render {
 
-/// How much light takes. Scalars without shading are the same in each.
+/// Quality of lighting. Scalars without shading look the same in each.
 enum class Quality {
-  draft,     ///< plain light, hard shadows, nothing is clear
-  standard,  ///< light of the sky with ambient occlusion, soft shadows, clear matter
-  high,      ///< the same from more samples
+  draft,     ///< plain light, hard shadows, no transparent materials
+  standard,  ///< sky light with ambient occlusion, soft shadows, transparent materials
+  high,      ///< like standard, with more samples
 };
 
 struct RenderOptions {
   int width = 1280, height = 720;  ///< [pixels]
   int samples = 1;                 ///< per pixel; 4 on screen, 1 for reproducible headless images
-  bool edges = true;               ///< draw the edges that Surface::flags marks
+  bool edges = true;               ///< draws the edges marked in Surface::flags
   bool shadows = true;
   Quality quality = Quality::draft;
-  bool unlit_scalars = false;  ///< a scalar's pixel is the legend's colour to the byte: no shading, no shadow
+  bool unlit_scalars = false;  ///< draws scalars in exactly the legend's colors: no shading, no shadow
   float edge_width = 1.1f;     ///< [pixels]
   float pixel_scale = 1;       ///< factor on the widths of edges and lines and the diameters of points
 };
@@ -39,16 +39,17 @@ class Renderer {
   /// Leaves the framebuffer binding and viewport as they were.
   void render(const DrawScene& scene, const Camera& camera, const RenderOptions& options = {});
 
-  /// The last picture: a GL_TEXTURE_2D whose first row is the bottom one (ImGui::Image: uv0 = (0, 1), uv1 = (1, 0)).
+  /// Returns the last picture: a GL_TEXTURE_2D whose first row is the bottom one (ImGui::Image: uv0 = (0, 1), uv1 = (1,
+  /// 0)).
   unsigned color_texture() const;
 
-  /// The last picture, read back.
+  /// Reads the last picture back.
   Image image() const;
 
-  /// The ids of the last picture, read back.
+  /// Reads the ids of the last picture back.
   IdImage ids() const;
 
-  /// The id drawn at a pixel of the last picture, counted from the top left; kNoId where nothing is or outside.
+  /// Returns the id at a pixel of the last picture, counted from the top left; kNoId for none or outside.
   std::int32_t id_at(int x, int y) const;
 
  private:

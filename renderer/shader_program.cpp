@@ -30,7 +30,7 @@ void attach_stage(GLuint program, GLenum stage, const std::string& name, const c
   glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
   const std::string log = compiled ? "" : read_log(shader, glGetShaderiv, glGetShaderInfoLog);
   glAttachShader(program, shader);
-  glDeleteShader(shader);  // lives on as long as the program
+  glDeleteShader(shader);  // exists as long as the program
   if (!compiled) {
     throw RenderError("the driver rejects the " + std::string(stage == GL_VERTEX_SHADER ? "vertex" : "fragment") +
                       " shader of " + name + ":\n" + log);

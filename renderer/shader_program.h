@@ -9,7 +9,7 @@
 
 namespace griffith::render {
 
-/// The texture units of all programs; every sampler is bound to the unit of its name.
+/// Texture units of all programs; every sampler is bound to the unit of its name.
 enum TextureUnit : int {
   kShadowUnit,
   kColorTableUnit,
@@ -31,20 +31,20 @@ enum TextureUnit : int {
   kOpaqueDistanceUnit
 };
 
-/// Where a fragment shader writes that calls emit() of shaders/output.glsl, or emit_glass() of glass.glsl: into a
-/// Target, a BlendTarget or a GlassTarget.
+/// Output of a fragment shader that calls emit() of shaders/output.glsl or emit_glass() of glass.glsl: a Target, a
+/// BlendTarget or a GlassTarget.
 enum class Output { opaque, transparent, glass };
 std::string with_output(const std::string& fragment_source, Output output);
 
-/// Which part of a surface is drawn.
+/// Part of a surface to draw.
 enum class DrawnPart : int { all, selected, unselected, not_clear, clear };
 
-/// The light that fragment shaders know: `plain` is what a draft has, one lamp with hard shadows, in few steps.
+/// Light in fragment shaders: `plain`, for drafts, is one lamp with hard shadows at low cost.
 enum class Light { full, plain };
 inline Light light_of(Quality quality) { return quality == Quality::draft ? Light::plain : Light::full; }
 
-/// A vertex and a fragment shader, each preceded by shaders/common.glsl, the latter by light.glsl too, linked. Throws
-/// RenderError with `name`, the stage and the driver's log if one is rejected.
+/// A linked program of a vertex and a fragment shader, each preceded by shaders/common.glsl, the latter by light.glsl
+/// too. Throws RenderError with `name`, the stage and the driver's log if one is rejected.
 class ShaderProgram {
  public:
   ShaderProgram(const std::string& name, const char* vertex_source, const char* fragment_source,
@@ -68,7 +68,7 @@ class ShaderProgram {
   Program program_;
 };
 
-/// A program for each light.
+/// One program for each light.
 class LitProgram {
  public:
   LitProgram(const std::string& name, const char* vertex_source, const std::string& fragment_source)

@@ -7,36 +7,36 @@
 
 namespace griffith::render {
 
-/// A ball that holds what matters in the picture: what casts and receives shadows.
+/// A ball around the relevant part of the picture, which casts and receives shadows.
 struct Focus {
   Eigen::Vector3f center = Eigen::Vector3f::Zero();  ///< [m]
   float radius = 1;                                  ///< [m]
 };
 
-/// The lamp's picture of a Focus: depth by parallel projection along the light.
+/// Depth of a Focus in parallel projection along the light.
 class ShadowMap {
  public:
   static constexpr int kMostTexels = 2048;
 
   ShadowMap();
 
-  /// Clears the map, of that many texels a side, and makes it what is drawn into. With nothing drawn all is lit.
+  /// Clears the map with that many texels per side and binds it for drawing. If nothing is drawn, everything is lit.
   void begin(int texels);
 
-  /// Makes the map what shaders look up.
+  /// Binds the map for shaders.
   void bind() const;
-  /// Makes it the map of clear matter, which keeps but a part of the light.
+  /// Binds it as the map of transparent materials, which absorb only a part of the light.
   void bind_clear() const;
 
-  /// The view to draw the map with; its shadow_matrix and light serve for the picture's own view.
+  /// Returns the view to draw the map with; its shadow_matrix and light serve the picture's own view.
   static ViewBlock view(const Focus& focus, int texels);
 
  private:
   void resize(int texels);
 
-  int texels_ = 0;  ///< of a side
+  int texels_ = 0;  ///< number per side
   Texture depth_;
-  Sampler depth_values_;  ///< for depths as they are, not compared
+  Sampler depth_values_;  ///< for depths without comparison
   Framebuffer framebuffer_;
 };
 

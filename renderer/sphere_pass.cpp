@@ -42,7 +42,7 @@ void SpherePass::draw_shadow() const {
 
 void SpherePass::draw(Light light) const {
   program_.in(light).use();
-  glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);  // smooth outlines; nothing happens with one sample
+  glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);  // smooth outlines; no effect with one sample
   draw_squares();
   glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
 }

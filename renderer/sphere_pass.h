@@ -6,8 +6,8 @@
 
 namespace griffith::render {
 
-/// Spheres, or chips of stone in them, each a square in which the fragment shader finds the exact shape; one instanced
-/// draw call.
+/// Spheres, or chips of stone inscribed in them. Each is a square in which the fragment shader computes the exact
+/// shape; one instanced draw call.
 class SpherePass {
  public:
   enum class Shape { ball, chip };

@@ -7,8 +7,8 @@
 
 namespace griffith::render {
 
-/// A buffer that is filled anew every frame. Its storage grows when it must and is otherwise orphaned, so that the
-/// driver never waits for the previous frame.
+/// A buffer refilled every frame. Its storage grows if necessary and is otherwise orphaned, so that the driver never
+/// waits for the previous frame.
 class StreamBuffer {
  public:
   template <class T>
@@ -30,7 +30,7 @@ class StreamTexture {
  public:
   explicit StreamTexture(GLenum format) : format_(format) {}
 
-  /// Throws RenderError if the device can't address that many elements.
+  /// Throws RenderError if the device cannot address that many elements.
   template <class T>
   void upload(const std::vector<T>& data, std::size_t elements_each = 1) {
     check_size(data.size() * elements_each);

@@ -6,7 +6,7 @@
 
 namespace griffith::render {
 
-/// Lines and points of fixed width on the screen, anti-aliased, in one instanced draw call. They cast no shadow.
+/// Lines and points of fixed width on the screen, antialiased, in one instanced draw call. They cast no shadow.
 class StrokePass {
  public:
   StrokePass();
@@ -15,7 +15,7 @@ class StrokePass {
   void draw() const;
 
  private:
-  /// A point is a stroke of no length.
+  /// A line; a point is a stroke of zero length.
   struct Stroke {
     Eigen::Vector3f start, end;  // [m]
     Rgb color;

@@ -8,7 +8,7 @@
 namespace griffith::render {
 namespace {
 
-/// 0, 1 or 3.
+/// Returns 0, 1 or 3.
 int scalars_per_triangle(const Surface& surface) {
   const std::size_t triangles = surface.positions.size() / 3;
   return triangles == 0 ? 0 : static_cast<int>(surface.scalars.size() / triangles);
@@ -27,7 +27,7 @@ std::string fragment_source(Output output) {
   return with_output(std::string(shaders::shading_glsl) + shaders::surface_frag, output);
 }
 
-/// Whether a draft shows colours and nothing else.
+/// True if a draft shows only colors.
 bool is_plain(const Surface& surface, const RenderOptions& options) {
   return options.quality == Quality::draft && surface.scalars.empty() && !options.edges;
 }

@@ -8,12 +8,12 @@
 
 namespace griffith::render {
 
-/// The triangles, in one draw call: corners are vertices, everything per triangle is fetched by the triangle's number.
+/// Triangles in one draw call: corners are vertices, all other data is fetched by the triangle's index.
 class SurfacePass {
  public:
   SurfacePass();
   void upload(const Surface& surface);
-  /// `skips_clear`: what lets light through is left out.
+  /// `skips_clear`: leaves transparent triangles out.
   void draw_depth(DrawnPart part) const;
   void draw(const Surface& surface, const ColorTables& color_tables, const RenderOptions& options,
             const Background& sky, Output output, DrawnPart part) const;

@@ -51,7 +51,7 @@ void finish_framebuffer(int width, int height) {
   }
 }
 
-/// OpenGL counts rows from below. `row`: values of one.
+/// Reverses the rows: OpenGL counts them from below. `row`: values per row.
 template <class Value>
 void turn_upside_down(std::vector<Value>& values, std::size_t row) {
   for (auto top = values.begin(), end = values.end(); end - top > static_cast<std::ptrdiff_t>(row);) {

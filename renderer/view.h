@@ -11,7 +11,7 @@ inline constexpr GLuint kViewBinding = 0;
 
 using Vec4 = Eigen::Matrix<float, 4, 1, Eigen::DontAlign>;
 
-/// What all shaders know about the picture: the uniform block `View` of shaders/common.glsl, std140.
+/// State of the picture for all shaders: the uniform block `View` of shaders/common.glsl, std140.
 struct ViewBlock {
   Mat4 view_projection = Mat4::Identity();
   Mat4 shadow_matrix = Mat4::Identity();
@@ -26,7 +26,7 @@ static_assert(sizeof(ViewBlock) == (2 * 16 + 5 * 4) * sizeof(float));
 /// A ViewBlock on the device.
 class ViewBuffer {
  public:
-  /// Uploads and makes it the block that programs read.
+  /// Uploads the block and binds it for programs.
   void bind(const ViewBlock& block) const;
 
  private:

@@ -7,10 +7,11 @@
 namespace griffith::app {
 namespace {
 
-/// IEC 61966-2-1.
+/// Converts sRGB to linear (IEC 61966-2-1).
 double linear(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4); }
 
-/// What is clear lets through two thirds of the light and is polished; the more uneven the rest, the rougher it is.
+/// Converts a material: clear ones transmit two thirds of the light and are polished; others are as rough as they are
+/// uneven.
 BakedMaterial baked(const render::EmbeddedMaterial& material, const std::string& name) {
   const bool is_clear = material.clear_depth > 0;
   const render::Rgb color = material.color;

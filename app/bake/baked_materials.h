@@ -9,14 +9,14 @@
 
 namespace griffith::app {
 
-/// The natural looks of a scene's bodies and projectiles.
+/// Natural materials of a scene's bodies and projectiles.
 struct BakedMaterials {
   std::vector<BakedMaterial> all;
   std::vector<std::array<int, kLooks>> of_body;  ///< per scene body, by Look: indices into `all`
   int projectile = 0;                            ///< index into `all`
 };
 
-/// Makes them: outside and inside of each body, and its mortar where it has any. `stems`: as name_stems() has them.
+/// Makes the materials of outside and inside of each body, and its mortar if it has any. `stems`: from name_stems().
 BakedMaterials baked_materials(const Scene& scene, std::span<const std::string> stems);
 
 }  // namespace griffith::app

@@ -6,7 +6,7 @@
 
 namespace griffith::app {
 
-/// Barycentric coordinates of points in a tet, a column each.
+/// Returns barycentric coordinates of points in a tet, one column each.
 template <class Points>
 auto barycentric(const Corners& tet, const Points& points) {
   constexpr int kCount = Points::ColsAtCompileTime;

@@ -8,7 +8,7 @@
 namespace griffith::app {
 namespace {
 
-/// Gives points that lie together the number of the first of them.
+/// Maps each point to the first point at the same position.
 std::vector<int> welded(const std::vector<Vec3>& points, double tolerance) {
   using Cell = std::array<std::int64_t, 3>;
   const auto cell_of = [&](const Vec3& point) {
@@ -35,7 +35,8 @@ std::vector<int> welded(const std::vector<Vec3>& points, double tolerance) {
   return first;
 }
 
-/// Where edges lead that no polygon has the other way round: per point, with as many edges in as out.
+/// Edges without an opposite edge in another polygon: targets by start point; each point has as many incoming as
+/// outgoing ones.
 using OpenEdges = std::map<int, std::vector<int>>;
 
 OpenEdges open_edges(const PieceSurface& surface, const std::vector<int>& first) {
@@ -73,7 +74,7 @@ std::vector<std::vector<int>> loops_of(OpenEdges open) {
   return loops;
 }
 
-/// The triangulation of a loop that has the least area: least[i, k] is that of its points from i to k.
+/// The triangulation of least area of a loop; least[i, k] is the least area for its points from i to k.
 class LoopFilling {
  public:
   LoopFilling(const std::vector<Vec3>& points, const std::vector<int>& loop)
@@ -92,7 +93,7 @@ class LoopFilling {
       }
   }
 
-  /// Adds the triangles, which go round the other way than the loop.
+  /// Adds the triangles, with the orientation opposite to the loop.
   void add_to(std::vector<std::array<int, 3>>& triangles) const {
     std::vector<std::pair<int, int>> waiting = {{0, static_cast<int>(loop_.size()) - 1}};
     while (!waiting.empty()) {
@@ -111,11 +112,11 @@ class LoopFilling {
   }
 
   const std::vector<int>& loop_;
-  std::vector<int> best_;      ///< the third corner of the triangle on the chord from i to k
+  std::vector<int> best_;      ///< third corner of the triangle on the chord from i to k
   std::vector<double> least_;  ///< [m²]
 };
 
-/// Its least height.
+/// Returns the smallest height of a triangle.
 double height_of(const std::array<int, 3>& triangle, const std::vector<Vec3>& points) {
   const Vec3 &a = points[triangle[0]], &b = points[triangle[1]], &c = points[triangle[2]];
   return (b - a).cross(c - a).norm() / std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
@@ -124,7 +125,7 @@ double height_of(const std::array<int, 3>& triangle, const std::vector<Vec3>& po
 }  // namespace
 
 std::vector<std::array<int, 3>> hole_triangles(const PieceSurface& surface) {
-  constexpr double kTolerance = 1e-5;  // of the diagonal
+  constexpr double kTolerance = 1e-5;  // fraction of the diagonal
   Eigen::AlignedBox3d box;
   for (const Vec3& point : surface.points) box.extend(point);
   if (box.isEmpty()) return {};

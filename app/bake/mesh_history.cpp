@@ -19,7 +19,7 @@ Corners MeshHistory::rest_corners(const MeshState& state, TetId tet) const {
   return corners;
 }
 
-/// What was cut out of a tet lies in it at rest, and left less of it.
+/// A tet that was cut out of another lies in it at rest, and reduced it.
 void MeshHistory::find_parents(const MeshState& before, const MeshState& after) {
   std::vector<TetId> cut;
   for (const TetId tet : IdRange<TetId>(0, std::ssize(before.tets)))

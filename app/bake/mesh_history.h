@@ -9,30 +9,31 @@
 
 namespace griffith::app {
 
-/// The mesh as it was in one frame.
+/// Mesh of one frame.
 struct MeshState {
   std::vector<std::array<NodeId, 4>> tets;
   std::vector<Vec3> positions;  ///< per node [m]
 };
 
-/// Where a tet of the last state comes from in an earlier one: from the tet of the same number, or, where remeshing
-/// has cut it since, from the one that it was a part of.
+/// Origin of a tet of the last state in an earlier one: the tet of the same number or, if remeshing has cut it since,
+/// the tet of which it was a part.
 struct TetOrigin {
   TetId tet;
-  Eigen::Matrix4d weights;  ///< column i: corner i in barycentric coordinates of that tet
+  Eigen::Matrix4d weights;  ///< column i: barycentric coordinates of corner i in that tet
 };
 
-/// The meshes of a run's frames, and how the tets of the last one got where they are.
+/// Meshes of a run's frames, for tracking the tets of the last frame back in time.
 class MeshHistory {
  public:
-  /// `states`: in time, the last one with `rest_positions` of all its nodes [m].
+  /// `states`: in order of time, the last one with the `rest_positions` of all its nodes [m].
   MeshHistory(std::vector<MeshState> states, std::span<const Vec3> rest_positions);
 
   const std::vector<MeshState>& states() const { return states_; }
   TetOrigin origin(int state, TetId tet) const;
-  /// Where the corners of a tet of the last state were [m].
+  /// Returns the positions of the corners of a tet of the last state in another state [m].
   Corners corners(int state, TetId tet) const;
-  /// Where the nodes of the last state were [m]: copies that cracks made later lie on their originals.
+  /// Returns the positions of the nodes of the last state in another state [m]; copies made by later cracks coincide
+  /// with their originals.
   std::vector<Vec3> positions(int state) const;
 
  private:
@@ -41,7 +42,7 @@ class MeshHistory {
 
   std::vector<MeshState> states_;
   std::vector<Vec3> rest_positions_;
-  std::vector<TetId> parents_;  ///< per tet that remeshing made: the one of the state before that it was cut out of
+  std::vector<TetId> parents_;  ///< per tet made by remeshing: the tet of the previous state from which it was cut
 };
 
 }  // namespace griffith::app

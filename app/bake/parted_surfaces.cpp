@@ -16,7 +16,8 @@ Corners corners_at(const Frame& frame, TetId tet, std::span<const Vec3> position
   return corners;
 }
 
-/// Which piece shows each part of a splinter: the owner's, or that of the part's own tet where this owns no splinter.
+/// Assignment of the parts of splinters to pieces: to the owner, or to the piece of the part's own tet if that owns no
+/// splinter.
 class PartedSplinters {
  public:
   PartedSplinters(const Frame& frame, const std::vector<bool>& owns_none) : frame_(frame), owns_none_(owns_none) {
@@ -30,7 +31,7 @@ class PartedSplinters {
     return owns_none_[own] ? own : frame_.elements.bodies[owner(part)];
   }
 
-  /// The splinter's part in that tet; -1: none.
+  /// Returns the splinter's part in that tet; -1: none.
   int part_in(SplinterId splinter, TetId tet) const {
     const auto found = part_in_tet_.find(key(splinter, tet));
     return found == part_in_tet_.end() ? -1 : found->second;
@@ -40,7 +41,7 @@ class PartedSplinters {
     add(surface, face.part, rest_points(face), look_of(face));
   }
 
-  /// What of a face of its tet a part has: where two pieces share a splinter.
+  /// Adds the part's share of a face of its tet, where two pieces share a splinter.
   void add_cut(PieceSurface& surface, int part, int tet_face) const {
     const SplinterPart& of = frame_.splinters.parts[part];
     std::vector<Vec3> polygon;
@@ -58,7 +59,7 @@ class PartedSplinters {
 
   TetId owner(int part) const { return frame_.splinters.splinters[frame_.splinters.parts[part].splinter].owner; }
 
-  /// The corners of a face where the body stood at rest.
+  /// Returns the corners of a face in the rest position of the body.
   std::vector<Vec3> rest_points(const SplinterFace& face) const {
     const TetId tet = frame_.splinters.parts[face.part].tet;
     std::vector<Vec3> points;
@@ -72,7 +73,7 @@ class PartedSplinters {
     return {normal, normal.dot(wall.front())};
   }
 
-  /// Adds a polygon that is given at rest, carried by the tet that carries the part.
+  /// Adds a polygon given at rest, moved with the tet that carries the part.
   void add(PieceSurface& surface, int part, const std::vector<Vec3>& polygon, Look look) const {
     const TetId own = frame_.splinters.parts[part].tet;
     const bool by_own = owns_none_[frame_.elements.bodies[own]] || frame_.splinters.attached[part];
@@ -92,10 +93,10 @@ class PartedSplinters {
   std::unordered_map<std::uint64_t, int> part_in_tet_;
 };
 
-/// Adds the faces of all splinters of the scene bodies in question, cut where two pieces share them.
+/// Adds the faces of all splinters of the affected scene bodies, cut where two pieces share them.
 void add_parted_splinters(std::span<PieceSurface> surfaces, const Frame& frame, const PartedSplinters& splinters,
                           const std::vector<bool>& is_parted, const std::vector<bool>& is_skinned,
-                          std::span<const std::array<TetId, 4>> first_neighbours) {
+                          std::span<const std::array<TetId, 4>> first_neighbors) {
   const auto& parts = frame.splinters.parts;
   for (int part = 0; part < std::ssize(parts); ++part) {
     const int scene_body = frame.splinters.splinters[parts[part].splinter].scene_body;
@@ -105,14 +106,14 @@ void add_parted_splinters(std::span<PieceSurface> surfaces, const Frame& frame, 
       if (face.beyond < 0 ? !is_skinned[scene_body] : splinters.piece(face.beyond) != piece)
         splinters.add_face(surfaces[piece], face);
     for (int face = 0; face < 4; ++face) {
-      const TetId beyond = first_neighbours[parts[part].tet][face];
+      const TetId beyond = first_neighbors[parts[part].tet][face];
       const int other = beyond.valid() ? splinters.part_in(parts[part].splinter, beyond) : -1;
       if (other >= 0 && splinters.piece(other) != piece) splinters.add_cut(surfaces[piece], part, face);
     }
   }
 }
 
-/// Hands polygons of a skin that mostly lie over pieces without a splinter to these.
+/// Moves polygons of a skin that mostly lie over pieces without a splinter to these pieces.
 Skin handed_out(Skin skin, const Frame& frame, const std::vector<bool>& owns_none) {
   const auto at_rest = [&](TetId tet) { return corners_at(frame, tet, frame.nodes.rest_positions); };
   for (int i = 0; i < skin.polygons(); ++i) {
@@ -132,7 +133,7 @@ Skin handed_out(Skin skin, const Frame& frame, const std::vector<bool>& owns_non
   return skin;
 }
 
-/// The surfaces of pieces that own no splinter are empty.
+/// True for each piece without a splinter: its surface is empty.
 std::vector<bool> pieces_without_splinter(const Frame& frame, std::span<const PieceSurface> surfaces) {
   std::vector<bool> owns_none(frame.bodies.size());
   for (const BodyView& body : frame.bodies) owns_none[body.id] = body.tets > 0 && surfaces[body.id].polygons.empty();
@@ -142,7 +143,7 @@ std::vector<bool> pieces_without_splinter(const Frame& frame, std::span<const Pi
 }  // namespace
 
 std::vector<PieceSurface> parted_surfaces(const Frame& frame, std::span<const Skin> skins,
-                                          std::span<const std::array<TetId, 4>> first_neighbours) {
+                                          std::span<const std::array<TetId, 4>> first_neighbors) {
   std::vector<PieceSurface> surfaces = piece_surfaces(frame, skins);
   const std::vector<bool> owns_none = pieces_without_splinter(frame, surfaces);
   std::vector<bool> is_parted(frame.materials.size()), is_skinned(frame.materials.size());
@@ -155,7 +156,7 @@ std::vector<PieceSurface> parted_surfaces(const Frame& frame, std::span<const Sk
     if (is_parted[skin.scene_body]) parted_skins.push_back(handed_out(skin, frame, owns_none));
   }
   std::vector<PieceSurface> parted = skin_surfaces(frame, parted_skins);
-  add_parted_splinters(parted, frame, PartedSplinters(frame, owns_none), is_parted, is_skinned, first_neighbours);
+  add_parted_splinters(parted, frame, PartedSplinters(frame, owns_none), is_parted, is_skinned, first_neighbors);
   for (const BodyView& body : frame.bodies) {
     if (!is_parted[body.scene_body]) continue;
     surfaces[body.id] = std::move(parted[body.id]);

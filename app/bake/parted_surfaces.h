@@ -8,12 +8,12 @@
 
 namespace griffith::app {
 
-/// The surfaces of all bodies as piece_surfaces() has them, but such that every body has one. Where splinters are
-/// larger than tets, a body may own none: there it takes what of its neighbours' splinters lies in its own tets, so
-/// that nothing is shown twice, and of the surface that the scene body shows what lies over them. Splinters that are
-/// not convex, and that surface, may leave gaps at such cuts. `first_neighbours`: of the tets before anything broke.
-/// The same points in the same order in all frames that have the topology of this one.
+/// Returns the surfaces of all bodies like piece_surfaces(), but none is empty. A body smaller than its splinters may
+/// own none. It then takes the parts of its neighbors' splinters within its own tets, and the parts of the scene body's
+/// surface over them, so that nothing is shown twice. Non-convex splinters and such surfaces may leave gaps at the
+/// cuts. `first_neighbors`: of the tets before any fracture. Frames of the same topology give the same points in the
+/// same order.
 std::vector<PieceSurface> parted_surfaces(const Frame& frame, std::span<const Skin> skins,
-                                          std::span<const std::array<TetId, 4>> first_neighbours);
+                                          std::span<const std::array<TetId, 4>> first_neighbors);
 
 }  // namespace griffith::app

@@ -10,15 +10,15 @@
 namespace griffith::app {
 namespace {
 
-/// One side of what a crack has opened.
+/// One side of a face opened by a crack.
 struct OpenedFace {
-  int thing = 0, scene_body = 0;
+  int object = 0, scene_body = 0;
   std::array<Vec3, 3> rest, first;  ///< corners at rest and in the first baked frame [m]
-  double opened = 0;                ///< [s]
+  double opened = 0;                ///< time of opening [s]
   double strength = 0;              ///< [Pa]
 };
 
-/// Tensile strength across a tet's face, with scatter and weakness, mean of its corners [Pa].
+/// Returns the tensile strength across a tet's face, with scatter and weakness, as the mean of its corners [Pa].
 double face_strength(const BondInput& input, TetId tet, int face, const Vec3& rest_normal) {
   const TetOrigin from = input.history.origin(0, tet);
   const std::array<NodeId, 4>& nodes = input.history.states()[0].tets[from.tet];
@@ -36,7 +36,7 @@ OpenedFace opened_face(const BondInput& input, TetId tet, int face) {
   const Corners then = input.history.corners(1, tet);
   const BodyId body = last.elements.bodies[tet];
   OpenedFace opened{
-      input.thing_of_body[body], last.bodies[body].scene_body, {}, {}, last.elements.opened[tet][face], 0};
+      input.object_of_body[body], last.bodies[body].scene_body, {}, {}, last.elements.opened[tet][face], 0};
   for (int i = 0; i < 3; ++i) {
     opened.rest[i] = last.nodes.rest_positions[last.elements.tets[tet][kTetFaces[face][i]]];
     opened.first[i] = then.col(kTetFaces[face][i]);
@@ -55,9 +55,9 @@ std::vector<OpenedFace> opened_faces(const BondInput& input) {
 
 Vec3 middle_of(const std::array<Vec3, 3>& corners) { return (corners[0] + corners[1] + corners[2]) / 3; }
 
-/// Whether `face` lies back to back with `other`, its middle on it.
+/// True if `face` lies back to back with `other`, with its center on it.
 bool lies_on(const OpenedFace& face, const OpenedFace& other) {
-  constexpr double kTolerance = 1e-6;  // of the edges' length
+  constexpr double kTolerance = 1e-6;  // fraction of the edge length
   if (face.scene_body != other.scene_body) return false;
   const Vec3 area = area_vector(other.rest), place = middle_of(face.rest);
   const double size = area.norm(), length = std::sqrt(size);
@@ -70,8 +70,7 @@ bool lies_on(const OpenedFace& face, const OpenedFace& other) {
   return true;
 }
 
-/// Which face lies back to back with each; -1: none is known. Cracks leave two copies of a face with the same corners
-/// at rest.
+/// Returns the opposite face of each; -1: unknown. Cracks leave two copies of a face with the same corners at rest.
 std::vector<int> partners(std::span<const OpenedFace> faces) {
   std::map<std::pair<int, FaceKey>, int> waiting;
   std::vector<int> partner(faces.size(), -1);
@@ -87,12 +86,12 @@ std::vector<int> partners(std::span<const OpenedFace> faces) {
   return partner;
 }
 
-/// Adds one side of an opened face: half of what held there.
+/// Adds one side of an opened face: half of its area.
 void add_face(BakedBond& bond, const OpenedFace& face) {
   const Vec3 area = area_vector(face.first) / 2;
   bond.area += area.norm();
   bond.center += area.norm() * middle_of(face.first);
-  bond.normal += face.thing == bond.a ? area : Vec3(-area);
+  bond.normal += face.object == bond.a ? area : Vec3(-area);
   bond.strength += area.norm() * face.strength;
   bond.break_time = std::max(bond.break_time.value_or(face.opened), face.opened);
 }
@@ -122,8 +121,8 @@ std::vector<BakedBond> piece_bonds(const BondInput& input) {
   const std::vector<int> partner = partners(faces);
   std::map<std::pair<int, int>, BakedBond> found;
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    if (partner[i] < 0 || faces[i].thing == faces[partner[i]].thing) continue;
-    const std::pair<int, int> pair = std::minmax(faces[i].thing, faces[partner[i]].thing);
+    if (partner[i] < 0 || faces[i].object == faces[partner[i]].object) continue;
+    const std::pair<int, int> pair = std::minmax(faces[i].object, faces[partner[i]].object);
     BakedBond& bond =
         found.try_emplace(pair, BakedBond{pair.first, pair.second, 0, Vec3::Zero(), Vec3::Zero(), 0, {}}).first->second;
     add_face(bond, faces[i]);

@@ -10,21 +10,22 @@
 
 namespace griffith::app {
 
-/// Strength over the tensile strength of each node [-], as flaws scatter it. `start`: the world's first frame.
+/// Returns the ratio of strength to mean tensile strength of each node [-], due to the scatter of flaws. `start`: the
+/// world's first frame.
 std::vector<double> strength_factors_at_start(const Frame& start, const Scene& scene);
 
-/// What bonds are made from: the run's meshes, of which state 0 is the world's first frame and state 1 the first one
-/// that is baked.
+/// Input of piece_bonds(): meshes of the run, with the world's first frame as state 0 and the first baked frame as
+/// state 1.
 struct BondInput {
   const Frame& last;
   const MeshHistory& history;
   std::span<const double> strength_factors;  ///< per node of state 0
-  std::span<const int> thing_of_body;        ///< per BodyId of `last`
-  double opened_before = 0;                  ///< faces that opened until then held nothing in the first frame [s]
+  std::span<const int> object_of_body;       ///< per BodyId of `last`
+  double opened_before = 0;                  ///< faces opened until then are no bonds [s]
 };
 
-/// Finds the faces through which pieces held together at the start, by what cracks have opened since. Where remeshing
-/// has cut the two sides of a crack differently, each face counts for the one beyond its middle.
+/// Finds the faces that connected pieces at the start, from all faces opened by cracks since. If remeshing has cut the
+/// two sides of a crack differently, each face counts for the piece beyond its center.
 std::vector<BakedBond> piece_bonds(const BondInput& input);
 
 }  // namespace griffith::app

@@ -5,11 +5,11 @@
 namespace griffith::app {
 namespace {
 
-/// Sums over the tets of a piece, weighted by their volume: all of it has one density.
+/// Sums over the tets of a piece, weighted by volume, since its density is uniform.
 struct PieceSums {
   double volume = 0;               ///< [m³]
-  Vec3 center = Vec3::Zero();      ///< times volume
-  Mat3 covariance = Mat3::Zero();  ///< of places now with places at first relative to their center
+  Vec3 center = Vec3::Zero();      ///< integral of the position
+  Mat3 covariance = Mat3::Zero();  ///< covariance of current and first positions relative to their centers
 };
 
 std::vector<Vec3> centers_of(const Frame& last, const MeshHistory& history, int state) {
@@ -38,7 +38,7 @@ Pose fitted_pose(const PieceSums& sums, const std::vector<Pose>& before) {
 
 std::vector<std::vector<Pose>> piece_poses(const Frame& last, const MeshHistory& history, int first) {
   const std::vector<Vec3> first_centers = centers_of(last, history, first);
-  std::vector<Corners> arms;  // per tet: corners at first, relative to the center of its piece
+  std::vector<Corners> arms;  // per tet: first corners relative to the center of its piece
   for (const TetId tet : IdRange<TetId>(0, std::ssize(last.elements.tets)))
     arms.push_back(history.corners(first, tet).colwise() - first_centers[last.elements.bodies[tet]]);
   std::vector<std::vector<Pose>> poses(last.bodies.size());

@@ -9,9 +9,9 @@
 
 namespace griffith::app {
 
-/// The rigid motions that fit those of pieces best, per body of the last frame and state from `first`: mass-weighted
-/// least squares of the nodes of its tets (Kabsch 1976) from where they were in state `first`. Rotations of one
-/// piece follow each other without a change of sign. Empty for a body without tets.
+/// Returns the best-fit rigid motions of pieces, per body of the last frame and state from `first`: mass-weighted least
+/// squares of the nodes of its tets relative to state `first` (Kabsch 1976). Successive rotations of a piece keep the
+/// sign of their quaternions. Empty for a body without tets.
 std::vector<std::vector<Pose>> piece_poses(const Frame& last, const MeshHistory& history, int first);
 
 }  // namespace griffith::app

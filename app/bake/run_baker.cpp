@@ -6,11 +6,11 @@
 
 #include "app/bake/baked_materials.h"
 #include "app/bake/fill_holes.h"
+#include "app/bake/object_mesh.h"
+#include "app/bake/object_names.h"
 #include "app/bake/parted_surfaces.h"
 #include "app/bake/piece_bonds.h"
 #include "app/bake/piece_poses.h"
-#include "app/bake/thing_mesh.h"
-#include "app/bake/thing_names.h"
 
 namespace griffith::app {
 namespace {
@@ -20,7 +20,7 @@ MeshState mesh_of(const Frame& frame) {
           {frame.nodes.positions.begin(), frame.nodes.positions.end()}};
 }
 
-/// Bodies by scene body, then number.
+/// Returns the bodies sorted by scene body, then by number.
 std::vector<BodyId> sorted_pieces(const Frame& last) {
   std::vector<BodyId> pieces;
   for (const BodyView& body : last.bodies)
@@ -29,7 +29,7 @@ std::vector<BodyId> sorted_pieces(const Frame& last) {
   return pieces;
 }
 
-/// Frames a second: a whole number where the steps are so even, so that other programs count frames alike.
+/// Returns the frame rate, as an integer if the steps are that even, so that other programs count the same frames.
 double rate_of(std::span<const double> times, double time_step) {
   const double rate =
       times.size() < 2 ? 1 / time_step : static_cast<double>(times.size() - 1) / (times.back() - times.front());
@@ -37,7 +37,7 @@ double rate_of(std::span<const double> times, double time_step) {
   return whole > 0 && std::abs(rate - whole) < 1e-6 * whole ? whole : rate;
 }
 
-/// When the last crack so far opened; minus infinity: there is none.
+/// Returns the time of the last crack so far; minus infinity if there is none.
 double last_crack_time(const Frame& frame) {
   double last = -std::numeric_limits<double>::infinity();
   for (const std::array<double, 4>& tet : frame.elements.opened)
@@ -46,11 +46,11 @@ double last_crack_time(const Frame& frame) {
   return last;
 }
 
-/// When each thing last parted from another: with the last of its bonds.
+/// Sets the break time of each object to that of its last bond.
 void set_break_times(Bake& bake) {
   for (const BakedBond& bond : bake.bonds)
-    for (const int thing : {bond.a, bond.b})
-      bake.things[thing].break_time = std::max(bake.things[thing].break_time, bond.break_time);
+    for (const int object : {bond.a, bond.b})
+      bake.objects[object].break_time = std::max(bake.objects[object].break_time, bond.break_time);
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ RunBaker::RunBaker(const Frame& start, const Scene& scene)
     : scene_(scene),
       shards_(start, scene),
       strength_factors_(strength_factors_at_start(start, scene)),
-      first_neighbours_(start.elements.neighbours.begin(), start.elements.neighbours.end()),
+      first_neighbors_(start.elements.neighbours.begin(), start.elements.neighbours.end()),
       meshes_{mesh_of(start)} {}
 
 void RunBaker::follow(const Frame& frame) {
@@ -76,8 +76,8 @@ Bake RunBaker::finish(const Frame& last, bool deformed) {
   find_holes(last);
   const MeshHistory history(std::move(meshes_), last.nodes.rest_positions);
   const std::vector<BodyId> pieces = sorted_pieces(last);
-  std::vector<int> thing_of_body(last.bodies.size(), -1);
-  for (int i = 0; i < std::ssize(pieces); ++i) thing_of_body[pieces[i]] = i;
+  std::vector<int> object_of_body(last.bodies.size(), -1);
+  for (int i = 0; i < std::ssize(pieces); ++i) object_of_body[pieces[i]] = i;
   const std::vector<std::string> stems = name_stems(scene_);
   Bake bake;
   bake.scene_name = scene_.name;
@@ -87,23 +87,23 @@ Bake RunBaker::finish(const Frame& last, bool deformed) {
   const BakedMaterials materials = baked_materials(scene_, stems);
   bake.materials = materials.all;
   add_pieces(bake, last, history, pieces, stems);
-  for (BakedThing& thing : bake.things) thing.materials = materials.of_body[thing.scene_body];
+  for (BakedObject& object : bake.objects) object.materials = materials.of_body[object.scene_body];
   if (deformed) add_deformed_points(bake, last, history, pieces);
   add_projectiles(bake, last, stems.back(), materials.projectile);
-  bake.bonds = piece_bonds({last, history, strength_factors_, thing_of_body, opened_before_});
+  bake.bonds = piece_bonds({last, history, strength_factors_, object_of_body, opened_before_});
   set_break_times(bake);
   return bake;
 }
 
-/// Surfaces of the last frame's bodies with its nodes elsewhere, as they are.
+/// Returns the surfaces of the last frame's bodies with its nodes at other positions, without filled holes.
 std::vector<PieceSurface> RunBaker::open_surfaces_at(const Frame& last, std::span<const Vec3> positions) const {
   const FrameWithShards sharded(last, shards_);
   Frame moved = sharded.frame();
   moved.nodes.positions = positions;
-  return parted_surfaces(moved, shards_.skins(), first_neighbours_);
+  return parted_surfaces(moved, shards_.skins(), first_neighbors_);
 }
 
-/// What closes them, found at rest, where all parts of a piece fit together.
+/// Finds the triangles that close them, at rest, where all parts of a piece fit together.
 void RunBaker::find_holes(const Frame& last) {
   for (const PieceSurface& surface : open_surfaces_at(last, last.nodes.rest_positions))
     holes_.push_back(hole_triangles(surface));
@@ -122,14 +122,14 @@ void RunBaker::add_pieces(Bake& bake, const Frame& last, const MeshHistory& hist
   std::vector<int> numbers(scene_.bodies.size());
   for (const BodyId id : pieces) {
     const BodyView& body = last.bodies[id];
-    BakedThing& thing = bake.things.emplace_back();
-    thing.name = numbered_name(stems[body.scene_body], numbers[body.scene_body]++);
-    thing.scene_body = body.scene_body;
-    thing.mass = body.mass;
-    thing.is_supported = body.supported;
-    thing.broke_scaled = body.broke_scaled;
-    thing.poses = std::move(poses[id]);
-    thing.mesh = piece_mesh(surfaces[id], thing.poses.front().translation);
+    BakedObject& object = bake.objects.emplace_back();
+    object.name = numbered_name(stems[body.scene_body], numbers[body.scene_body]++);
+    object.scene_body = body.scene_body;
+    object.mass = body.mass;
+    object.is_supported = body.supported;
+    object.broke_scaled = body.broke_scaled;
+    object.poses = std::move(poses[id]);
+    object.mesh = piece_mesh(surfaces[id], object.poses.front().translation);
   }
 }
 
@@ -138,8 +138,8 @@ void RunBaker::add_deformed_points(Bake& bake, const Frame& last, const MeshHist
   for (int frame = 0; frame < std::ssize(times_); ++frame) {
     const std::vector<PieceSurface> surfaces = surfaces_at(last, history.positions(1 + frame));
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-      const Pose& pose = bake.things[i].poses[frame];
-      std::vector<Vec3>& points = bake.things[i].deformed_points.emplace_back();
+      const Pose& pose = bake.objects[i].poses[frame];
+      std::vector<Vec3>& points = bake.objects[i].deformed_points.emplace_back();
       for (const Vec3& point : surfaces[pieces[i]].points) points.push_back(pose.to_local(point));
     }
   }
@@ -147,15 +147,15 @@ void RunBaker::add_deformed_points(Bake& bake, const Frame& last, const MeshHist
 
 void RunBaker::add_projectiles(Bake& bake, const Frame& last, const std::string& stem, int material) const {
   for (int i = 0; i < std::ssize(last.projectiles); ++i) {
-    BakedThing& thing = bake.things.emplace_back();
-    thing.name = numbered_name(stem, i);
-    thing.mass = last.projectiles[i].mass;
-    thing.materials.fill(material);
-    thing.mesh = projectile_mesh(last.projectiles[i]);
+    BakedObject& object = bake.objects.emplace_back();
+    object.name = numbered_name(stem, i);
+    object.mass = last.projectiles[i].mass;
+    object.materials.fill(material);
+    object.mesh = projectile_mesh(last.projectiles[i]);
     const auto seen = [&](const std::vector<Pose>& poses) { return std::ssize(poses) > i; };
     const auto first = std::ranges::find_if(projectiles_, seen);
-    thing.first_frame = static_cast<int>(first - projectiles_.begin());
-    for (auto poses = first; poses != projectiles_.end(); ++poses) thing.poses.push_back((*poses)[i]);
+    object.first_frame = static_cast<int>(first - projectiles_.begin());
+    for (auto poses = first; poses != projectiles_.end(); ++poses) object.poses.push_back((*poses)[i]);
   }
 }
 

@@ -14,17 +14,17 @@
 
 namespace griffith::app {
 
-/// Makes a Bake of a run: follows its frames, and in the last one, which alone knows the pieces, finds where these
-/// were all along.
+/// Bakes a run: follows its frames and tracks the pieces of the last one back to the first.
 class RunBaker {
  public:
-  /// `start`: the world's first frame. `scene`: of the world; must outlive this. Throws InputError when a surface
-  /// cannot be read.
+  /// `start`: the world's first frame. `scene`: of the world; must outlive this. Throws InputError if a surface cannot
+  /// be read.
   RunBaker(const Frame& start, const Scene& scene);
 
-  /// Adds a frame to those that are baked, later than all before.
+  /// Adds a frame to be baked, later than all before.
   void follow(const Frame& frame);
-  /// Bakes what was followed. `last`: the frame that was followed last. `deformed`: with deformed points.
+  /// Returns the bake of all followed frames. `last`: the frame that was followed last. `deformed`: with deformed
+  /// points.
   Bake finish(const Frame& last, bool deformed = false);
 
  private:
@@ -39,12 +39,13 @@ class RunBaker {
 
   const Scene& scene_;
   Shards shards_;
-  std::vector<double> strength_factors_;                ///< per node of the start
-  std::vector<std::array<TetId, 4>> first_neighbours_;  ///< per tet of the start
-  std::vector<MeshState> meshes_;                       ///< of the start, then of the baked frames
+  std::vector<double> strength_factors_;               ///< per node of the start
+  std::vector<std::array<TetId, 4>> first_neighbors_;  ///< per tet of the start
+  std::vector<MeshState> meshes_;                      ///< mesh of the start, then those of the baked frames
   std::vector<double> times_;
-  std::vector<std::vector<std::array<int, 3>>> holes_;  ///< per body of the last frame: what closes its surface
-  double opened_before_ = 0;                    ///< when the last crack opened that the first baked frame has [s]
+  std::vector<std::vector<std::array<int, 3>>>
+      holes_;                                   ///< per body of the last frame: triangles that close its surface
+  double opened_before_ = 0;                    ///< time of the last crack before the first baked frame [s]
   std::vector<std::vector<Pose>> projectiles_;  ///< per baked frame
 };
 

@@ -23,16 +23,16 @@
 namespace griffith::app {
 namespace {
 
-/// A bug report to be packed.
+/// Options of `bundle`.
 struct BundleOptions {
   std::filesystem::path input, output;
-  std::optional<int> frames;  ///< of a scene; 60 if not given
-  bool pack_outside = false;  ///< also files from outside the scene's folder
+  std::optional<int> frames;  ///< frames of a scene; 60 if not given
+  bool pack_outside = false;  ///< includes files from outside the scene's folder
   int threads = 1;
 };
 
-/// Draws a world that began as `first` as `griffith render` does, or says in `parts` why it cannot. Returns what drew
-/// it.
+/// Draws a world that began as `first` like `griffith render`, or reports in `parts` why it cannot. Returns the name of
+/// the renderer.
 std::string add_picture(const World& first, const World& world, const Scene& scene, ReportParts& parts) try {
   constexpr int kWidth = 1280, kHeight = 720;
   const render::EglContext context(std::nullopt);
@@ -49,7 +49,7 @@ std::string add_picture(const World& first, const World& world, const Scene& sce
   return "none";
 }
 
-/// Runs the scene, to its end or to what ended it.
+/// Runs the scene until its end or an error.
 Recording recorded_run(const BundleOptions& options, ReportParts& parts) {
   const Scene scene = read_scene(options.input);
   const World first = open_world(scene, options.input);
@@ -74,7 +74,7 @@ Recording recorded_run(const BundleOptions& options, ReportParts& parts) {
   return recording;
 }
 
-/// Replays a recording for its picture, and tells whether it comes out alike here.
+/// Replays a recording for its picture, and reports whether its results are the same here.
 Recording replayed(const BundleOptions& options, ReportParts& parts) {
   Recording recording = read_recording(options.input);
   Replay replay(recording);
@@ -92,7 +92,7 @@ Recording replayed(const BundleOptions& options, ReportParts& parts) {
 void bundle(const BundleOptions& options) {
   const bool recorded = is_recording(options.input);
   if (recorded && options.frames)
-    throw InputError("--frames", "is given for a recording", "leave it out: a recording has its own steps");
+    throw InputError("--frames", "cannot be used with a recording", "leave it out: a recording has its own steps");
   check_replaceable(options.output);
   ReportParts parts;
   parts.log = "griffith bundle " + options.input.filename().string() + "\n";
@@ -107,10 +107,10 @@ void bundle(const BundleOptions& options) {
 
 Command add_bundle(CLI::App& program) {
   CLI::App* command =
-      program.add_subcommand("bundle", "Pack a run with all that it takes to make it again elsewhere: a bug report");
+      program.add_subcommand("bundle", "Pack a run with everything needed to repeat it elsewhere: a bug report");
   const auto options = std::make_shared<BundleOptions>();
   command->add_option("SCENE", options->input, "Scene file to run, or a recording")->required()->type_name("FILE");
-  command->add_option("--frames", options->frames, "Time steps of a scene, 60 if not given; a recording has its own")
+  command->add_option("--frames", options->frames, "Time steps of a scene; default: 60. A recording has its own")
       ->check(CLI::Range(0, kMaxFrames))
       ->type_name("N");
   command->add_option("-o,--output", options->output, "Bug report to write")->required()->type_name("FILE");

@@ -13,7 +13,7 @@
 namespace griffith::app {
 namespace {
 
-/// All problems of the file, while its warnings are printed; where it reads well, the first one of its meshes.
+/// Prints the file's warnings and returns all its problems; if there are none, the first problem of its meshes.
 std::vector<InputError> problems_of(const std::filesystem::path& path, std::span<const SceneSetting> settings) {
   std::vector<InputError> problems = check_scene(path, settings);
   if (!problems.empty()) return problems;
@@ -28,13 +28,13 @@ std::vector<InputError> problems_of(const std::filesystem::path& path, std::span
   return problems;
 }
 
-/// Prints every problem of every scene, and warnings; returns how many problems there are.
+/// Prints all problems and warnings of every scene. Returns the number of problems.
 int count_problems(const std::vector<std::filesystem::path>& scenes, std::span<const SceneSetting> settings) {
   int count = 0;
   for (const std::filesystem::path& path : scenes) {
     const std::vector<InputError> problems = problems_of(path, settings);
     for (const InputError& problem : problems) print_error("%s\n", printable(problem.what()).c_str());
-    if (problems.empty()) print("%s: good\n", path.c_str());
+    if (problems.empty()) print("%s: valid\n", path.c_str());
     count += static_cast<int>(problems.size());
   }
   if (count > 0) print_error("%d %s\n", count, count == 1 ? "problem" : "problems");

@@ -28,18 +28,17 @@ namespace {
 constexpr int kMaxThreads = 1024;
 constexpr char kThreads[] = "--threads", kSet[] = "--set";
 
-/// The program without a command: the editor.
+/// Adds the editor, which runs if no command is given.
 void add_editor(CLI::App& program, EditorOptions& options, std::vector<std::string>& settings) {
   program.add_option("SCENE", options.scene, "Scene to open in the editor")->type_name("FILE");
   add_settings(program, settings);
-  program.add_option("--script", options.script, "Play a script in the editor; docs/scripts.md describes them")
-      ->type_name("FILE");
+  program.add_option("--script", options.script, "Play a script in the editor, see docs/scripts.md")->type_name("FILE");
   program.add_option("--exit-after", options.exit_after)->check(CLI::Range(1, kMaxFrames))->group("");
   program.add_option("--screenshot", options.screenshot)->group("");
   add_threads(program);
 }
 
-/// "render, simulate and check".
+/// Joins names: "render, simulate and check".
 std::string names_of(const std::vector<Command>& commands) {
   std::string names;
   for (std::size_t i = 0; i < commands.size(); ++i) {
@@ -49,22 +48,22 @@ std::string names_of(const std::vector<Command>& commands) {
   return names;
 }
 
-/// Tells a slip in a command's name, which would be taken for a scene, from one in the name of a scene.
+/// Throws InputError for a missing scene, or for a misspelled command that would be taken for a scene.
 void require_scene(const std::filesystem::path& scene, const std::vector<Command>& commands) {
   std::error_code error;
   if (scene.empty() || std::filesystem::exists(scene, error)) return;
   if (scene.has_extension() || scene.has_parent_path()) {
     const std::vector<std::filesystem::path> samples = scene_files("");
     std::string remedy = "check the path";
-    if (!samples.empty()) remedy += "; scenes to begin with are in " + samples.front().parent_path().string();
+    if (!samples.empty()) remedy += "; sample scenes are in " + samples.front().parent_path().string();
     throw InputError(scene.string(), "there is no such scene file", remedy);
   }
   throw InputError(scene.string(), "is neither a command nor a scene file",
                    "the commands are " + names_of(commands) + "; --help describes them");
 }
 
-/// Prints what CLI11 makes of the arguments, which hold names of files; its exit code.
-int tell(const CLI::App& program, const CLI::Error& error) {
+/// Prints the message of CLI11, which may contain file names. Returns its exit code.
+int print_parse_result(const CLI::App& program, const CLI::Error& error) {
   std::ostringstream output, problems;
   const int code = program.exit(error, output, problems);
   print("%s", output.str().c_str());
@@ -72,7 +71,7 @@ int tell(const CLI::App& program, const CLI::Error& error) {
   return code;
 }
 
-/// The message that CLI11 makes for --help, --version and bad usage; nothing where the arguments are good.
+/// Parses the arguments. Returns the exit code after --help, --version or bad usage; empty if the arguments are good.
 std::optional<ExitCode> parse(CLI::App& program, int argc, const char* const* argv, const EditorOptions& editor,
                               const std::vector<Command>& commands) {
   try {
@@ -80,36 +79,36 @@ std::optional<ExitCode> parse(CLI::App& program, int argc, const char* const* ar
     return std::nullopt;
   } catch (const CLI::ExtrasError& error) {
     if (program.get_subcommands().empty()) require_scene(editor.scene, commands);
-    tell(program, error);
+    print_parse_result(program, error);
     return kBadInput;
   } catch (const CLI::ParseError& error) {
-    return tell(program, error) == 0 ? kDone : kBadInput;
+    return print_parse_result(program, error) == 0 ? kDone : kBadInput;
   }
 }
 
-/// What --threads of a command limits, while it lives.
+/// Returns the thread limit set by --threads of a command.
 std::unique_ptr<ThreadLimit> thread_limit(const CLI::App& command) {
   const CLI::Option* option = command.get_option_no_throw(kThreads);
   return option && *option ? std::make_unique<ThreadLimit>(option->as<int>()) : nullptr;
 }
 
-/// Options of the editor that stand before a command would have no effect.
+/// Throws InputError for options of the editor before a command, which would have no effect.
 void refuse_options_before(const Command& command, const CLI::App& program) {
   const std::string& name = command.arguments->get_name();
   for (const char* option : {kThreads, kSet})
     if (program.get_option(option)->count() > 0)
-      throw InputError(option, "stands before the command " + name, "write it behind " + name);
+      throw InputError(option, "is placed before the command " + name, "place it after " + name);
 }
 
-/// Carries out what the arguments say; the exit code.
-ExitCode obey(int argc, const char* const* argv) {
-  CLI::App program("Griffith, a workbench for brittle fracture: opens SCENE in the editor, or carries out a command.",
+/// Runs the command or the editor. Returns the exit code.
+ExitCode run_arguments(int argc, const char* const* argv) {
+  CLI::App program("Griffith, a workbench for brittle fracture: opens SCENE in the editor, or runs a command.",
                    "griffith");
   program.set_version_flag("--version", "griffith " GRIFFITH_VERSION);
   program.require_subcommand(0, 1);
   program.footer(
       "Examples:\n  griffith scenes/wall_small.json\n  griffith render --help\n\n"
-      "Exit code: 0 done, 1 the work failed, 2 bad usage, bad input or an output that cannot be written.");
+      "Exit code: 0 success, 1 failure, 2 bad usage, bad input or an output that cannot be written.");
   EditorOptions editor;
   std::vector<std::string> set;
   add_editor(program, editor, set);
@@ -125,7 +124,7 @@ ExitCode obey(int argc, const char* const* argv) {
   require_scene(editor.scene, commands);
   const auto limit = thread_limit(program);
   editor.settings = settings(set);
-  if (!set.empty() && editor.scene.empty()) throw InputError(kSet, "has no scene to change", "name the scene file");
+  if (!set.empty() && editor.scene.empty()) throw InputError(kSet, "has no scene to change", "name a scene file");
   run_editor(editor);
   return kDone;
 }
@@ -133,7 +132,7 @@ ExitCode obey(int argc, const char* const* argv) {
 }  // namespace
 
 void add_threads(CLI::App& command) {
-  command.add_option(kThreads, "Threads to use; results do not depend on them")
+  command.add_option(kThreads, "Number of threads; results do not depend on it")
       ->check(CLI::Range(1, kMaxThreads))
       ->type_name("T");
 }
@@ -144,9 +143,7 @@ int thread_count(const CLI::App& command) {
 }
 
 void add_settings(CLI::App& command, std::vector<std::string>& texts) {
-  command
-      .add_option(kSet, texts,
-                  "Give a field of the scene another value, as bodies/0/material/density=2000; may come several times")
+  command.add_option(kSet, texts, "Set a field of the scene, as bodies/0/material/density=2000; may be repeated")
       ->allow_extra_args(false)
       ->type_name("POINTER=VALUE");
 }
@@ -158,20 +155,20 @@ std::vector<SceneSetting> settings(const std::vector<std::string>& texts) {
 }
 
 CLI::Option* add_pack_outside(CLI::App& command, bool& pack) {
-  return command.add_flag("--pack-outside", pack, "Pack files of the scene from outside its folder, too");
+  return command.add_flag("--pack-outside", pack, "Also pack files from outside the scene's folder");
 }
 
 int run(int argc, const char* const* argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the shell's limit is an error like a full disk
   try {
-    const ExitCode code = obey(argc, argv);
+    const ExitCode code = run_arguments(argc, argv);
     check_stdout();
     return code;
   } catch (const InputError& error) {
     explain(error);
     return kBadInput;
   } catch (const std::bad_alloc&) {
-    print_error("griffith: the memory does not suffice\n  take larger elements or fewer bodies\n");
+    print_error("griffith: out of memory\n  use larger elements or fewer bodies\n");
     return kFailed;
   } catch (const std::exception& error) {
     print_error("griffith: %s\n", error.what());

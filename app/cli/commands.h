@@ -14,38 +14,38 @@
 
 namespace griffith::app {
 
-/// A command of the program: its arguments, and what carries it out when they are parsed. That throws InputError for
-/// bad input, other exceptions where the work failed.
+/// A command of the program: its arguments and its action after parsing. The action throws InputError for bad input,
+/// and other exceptions if the work failed.
 struct Command {
   CLI::App* arguments = nullptr;
   std::function<ExitCode()> carry_out;
 };
 
-/// Steps of which nothing is shown of time that long.
+/// Largest number of steps, which no run of useful length reaches.
 inline constexpr int kMaxFrames = 10'000'000;
 
-/// Adds the option --threads, which the command line itself heeds.
+/// Adds the option --threads, which the command line applies.
 void add_threads(CLI::App& command);
-/// Threads that --threads asks for, or as many as the machine has.
+/// Returns the number of threads of --threads, or that of the machine.
 int thread_count(const CLI::App& command);
 
-/// Adds the option --set, whose texts settings() reads.
+/// Adds the option --set; settings() parses its texts.
 void add_settings(CLI::App& command, std::vector<std::string>& texts);
-/// The settings in "POINTER=VALUE" texts of --set. Throws InputError.
+/// Parses the "POINTER=VALUE" texts of --set. Throws InputError.
 std::vector<SceneSetting> settings(const std::vector<std::string>& texts);
 
-/// Adds --pack-outside, without which a recording takes no files from outside the scene's folder.
+/// Adds --pack-outside, without which a recording contains no files from outside the scene's folder.
 CLI::Option* add_pack_outside(CLI::App& command, bool& pack);
 inline OutsideFiles outside_files(bool pack) { return pack ? OutsideFiles::pack : OutsideFiles::refuse; }
 
-/// Adds --jobs, --time-limit and --memory-limit. `effort` outlives the command.
-void add_effort(CLI::App& command, Effort& effort);
+/// Adds --jobs, --time-limit and --memory-limit. `limits` must outlive the command.
+void add_job_limits(CLI::App& command, JobLimits& job_limits);
 
-/// Whether a file is a recording or a bug report and no scene: it begins as Zstandard's files do. Throws InputError
-/// when it cannot be read.
+/// True if a file is a recording or a bug report rather than a scene: it begins with Zstandard's magic number. Throws
+/// InputError if it cannot be read.
 bool is_recording(const std::filesystem::path& path);
 
-// Each is in a file of its own, with what its arguments mean.
+// Each is in a file of its own with its arguments.
 Command add_render(CLI::App& program);
 Command add_export(CLI::App& program);
 Command add_simulate(CLI::App& program);
@@ -60,7 +60,7 @@ Command add_script(CLI::App& program);
 Command add_bench(CLI::App& program);
 Command add_thumbnail(CLI::App& program);
 
-/// All commands, in the order in which --help lists them.
+/// All commands in the order of --help.
 inline constexpr std::array kCommands = {add_render,  add_simulate, add_check,    add_mesh,   add_export,
                                          add_regress, add_sweep,    add_find,     add_replay, add_bundle,
                                          add_script,  add_bench,    add_thumbnail};

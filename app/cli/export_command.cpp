@@ -17,18 +17,18 @@
 namespace griffith::app {
 namespace {
 
-/// A run to be written for other programs.
+/// Options of `export`.
 struct ExportOptions {
   std::filesystem::path input;   ///< scene or recording
   std::vector<std::string> set;  ///< "POINTER=VALUE"
   std::string frames;            ///< "A:B" or "A:B:STEP"
   std::vector<std::filesystem::path> outputs;
-  bool deformed = false;  ///< with elastic deformation
+  bool deformed = false;  ///< includes elastic deformation
 };
 
 std::vector<int> frames_of(const ExportOptions& options) {
   if (options.frames.find(',') != std::string::npos)
-    throw InputError("--frames", "is a list", "give one stretch at an even pace, such as 0:60 or 0:240:4");
+    throw InputError("--frames", "is a list", "give one range with an even stride, such as 0:60 or 0:240:4");
   return frames_from_text(options.frames, "--frames");
 }
 
@@ -39,7 +39,7 @@ void check_bake_outputs(const ExportOptions& options) {
   }
 }
 
-/// Follows a world from its start to the last of the frames. `advance`: makes its next step.
+/// Follows a world from its start to the last frame. `advance`: makes the next step.
 template <class Advance>
 Bake baked_run(const World& world, const Scene& scene, const ExportOptions& options, const Advance& advance) {
   const std::vector<int> frames = frames_of(options);
@@ -65,23 +65,23 @@ Bake baked_scene(const ExportOptions& options) {
 
 Bake baked_recording(const ExportOptions& options) {
   if (!options.set.empty())
-    throw InputError("--set", "is given for a recording", "leave it out: a recording has its own scene");
+    throw InputError("--set", "cannot be used with a recording", "leave it out: a recording has its own scene");
   const Recording recording = read_recording(options.input);
   if (frames_of(options).back() > recording.steps())
     throw InputError("--frames", "goes beyond the recording's " + std::to_string(recording.steps()) + " steps",
-                     "end there or before");
+                     "end there or earlier");
   Replay replay(recording);
   return baked_run(replay.world(), replay.scene(), options, [&] { replay.advance(); });
 }
 
-std::string counted(std::size_t count, const std::string& thing) {
-  return std::to_string(count) + ' ' + thing + (count == 1 ? "" : "s");
+std::string counted(std::size_t count, const std::string& object) {
+  return std::to_string(count) + ' ' + object + (count == 1 ? "" : "s");
 }
 
 void print_written(const std::filesystem::path& path, const Bake& bake, std::size_t bytes) {
-  const auto is_projectile = [](const BakedThing& thing) { return thing.scene_body < 0; };
-  const auto projectiles = static_cast<std::size_t>(std::ranges::count_if(bake.things, is_projectile));
-  print("%s: %s, %s, %s, %.1f MB\n", path.c_str(), counted(bake.things.size() - projectiles, "piece").c_str(),
+  const auto is_projectile = [](const BakedObject& object) { return object.scene_body < 0; };
+  const auto projectiles = static_cast<std::size_t>(std::ranges::count_if(bake.objects, is_projectile));
+  print("%s: %s, %s, %s, %.1f MB\n", path.c_str(), counted(bake.objects.size() - projectiles, "piece").c_str(),
         counted(projectiles, "projectile").c_str(), counted(bake.times.size(), "frame").c_str(),
         static_cast<double>(bytes) / 1e6);
 }
@@ -99,24 +99,23 @@ void export_run(const ExportOptions& options) {
 }  // namespace
 
 Command add_export(CLI::App& program) {
-  CLI::App* command =
-      program.add_subcommand("export", "Write a run for other programs: pieces, their motion, what held them together");
+  CLI::App* command = program.add_subcommand("export", "Export a run to other programs: pieces, motion and bonds");
   const auto options = std::make_shared<ExportOptions>();
   command->add_option("SCENE", options->input, "Scene file to run, or a recording")->required()->type_name("FILE");
   add_settings(*command, options->set);
-  command->add_option("--frames", options->frames, "Time steps A:B to write, or every so many of them, A:B:STEP")
+  command->add_option("--frames", options->frames, "Time steps A:B to write, or A:B:STRIDE")
       ->required()
       ->type_name("LIST");
   command
       ->add_option("-o,--output", options->outputs,
-                   "File to write: .glb (glTF), .usda (USD), .html (a page that plays it), .json (pieces and bonds) or "
-                   ".csv (bonds); may be repeated")
+                   "Output file: .glb (glTF), .usda (USD), .html (a page that plays the run), .json (pieces and bonds) "
+                   "or .csv (bonds); may be repeated")
       ->required()
       ->expected(1)
       ->take_all()
       ->type_name("FILE");
   command->add_flag("--deformed", options->deformed,
-                    "With elastic deformation: morph targets in .glb, points in .usda, a set a frame");
+                    "Include elastic deformation: morph targets in .glb, points in .usda, one set per frame");
   add_threads(*command);
   command->footer(
       "Examples:\n"

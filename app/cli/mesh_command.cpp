@@ -17,21 +17,21 @@
 namespace griffith::app {
 namespace {
 
-/// A surface to be filled with tets, or tets to be looked at.
+/// Options of `mesh`: a surface to fill or tets to examine.
 struct MeshOptions {
-  std::filesystem::path input, output;  ///< no output: the table of quality alone
+  std::filesystem::path input, output;  ///< without an output only the table of quality is printed
   MeshingOptions meshing;
-  double scale = 1;                  ///< metres per unit of the file
-  double time_limit = 300;           ///< of TetGen [s]
-  std::int64_t memory_limit = 8192;  ///< of TetGen [MB]
-  bool cache = true;                 ///< use meshes made before
+  double scale = 1;                  ///< meters per unit of the file
+  double time_limit = 300;           ///< for TetGen [s]
+  std::int64_t memory_limit = 8192;  ///< for TetGen [MB]
+  bool cache = true;                 ///< uses cached meshes
   std::filesystem::path report;      ///< JSON; empty: none
 };
 
 void check_output_path(const std::filesystem::path& path) {
   const std::filesystem::path kind = path.extension();
   if (kind != ".msh" && kind != ".vtu" && kind != ".node" && kind != ".ele")
-    throw InputError(path.string(), "is no kind of mesh file that is written", "end its name in .msh, .vtu or .node");
+    throw InputError(path.string(), "has no supported mesh extension", "use .msh, .vtu or .node");
   check_replaceable(path);
 }
 
@@ -59,13 +59,13 @@ void warn_of(const std::vector<std::string>& findings, const MeshOptions& option
   for (const std::string& finding : findings) print_error("warning: %s: %s\n", options.input.c_str(), finding.c_str());
 }
 
-/// Writes the mesh and the report that are asked for.
+/// Writes the requested mesh and report.
 void write_outputs(const MeshOptions& options, const TetSoup& soup, const std::string& report, Outputs& outputs) {
   if (!options.output.empty()) outputs.write([&] { write_mesh(options.output, soup); });
   if (!options.report.empty()) outputs.write([&] { replace_file(options.report, report); });
 }
 
-/// Prints the quality of tets, which need no filling, and writes them in another format where that is asked for.
+/// Prints the quality of tets, and converts them if an output is given.
 void describe_tets(const MeshOptions& options) {
   CellReport cells;
   TetSoup soup = read_mesh(options.input, &cells);
@@ -77,7 +77,7 @@ void describe_tets(const MeshOptions& options) {
   const MeshQuality quality = mesh_quality(soup);
   Outputs outputs;
   write_outputs(options, soup, mesh_statistics_json(found, quality), outputs);
-  print("tetrahedra       nothing to fill; a scene takes the file as the shape {\"mesh\": {\"path\": \"%s\"}}\n%s",
+  print("tetrahedra       nothing to fill; scenes can use the file as the shape {\"mesh\": {\"path\": \"%s\"}}\n%s",
         options.input.filename().c_str(), quality_text(quality).c_str());
   outputs.finish();
 }
@@ -93,17 +93,16 @@ void make_mesh(const MeshOptions& options) {
   write_outputs(options, mesh.soup, mesh_statistics_json(mesh, quality), outputs);
   print("surface          %d triangles, %d shell%s, %.6g m3\nmethod           %s%s\n%s", mesh.surface_report.triangles,
         mesh.surface_report.shells, mesh.surface_report.shells == 1 ? "" : "s", mesh.surface_report.volume,
-        method_name(mesh.method), mesh.from_cache ? ", made before" : "", quality_text(quality).c_str());
+        method_name(mesh.method), mesh.from_cache ? ", from the cache" : "", quality_text(quality).c_str());
   outputs.finish();
 }
 
-/// How the tetrahedra are to be.
+/// Adds the options of the meshing.
 void add_meshing(CLI::App& command, MeshingOptions& meshing) {
   const std::map<std::string, MeshingMethod> methods = {{"automatic", MeshingMethod::automatic},
                                                         {"tetgen", MeshingMethod::tetgen},
                                                         {"volumetric", MeshingMethod::volumetric}};
-  command
-      .add_option("--element-size", meshing.element_size, "Edge of a tetrahedron [m]; 1/20 of the size if not given")
+  command.add_option("--element-size", meshing.element_size, "Edge of a tetrahedron [m]; default: 1/20 of the size")
       ->check(CLI::Range(1e-6, 1e5))
       ->type_name("M");
   command
@@ -111,17 +110,18 @@ void add_meshing(CLI::App& command, MeshingOptions& meshing) {
                   "automatic (the default), tetgen (keeps the surface's triangles) or volumetric (takes any surface)")
       ->transform(CLI::CheckedTransformer(methods).description(""))
       ->type_name("NAME");
-  command.add_option("--grading", meshing.grading, "how many times longer edges may be deep inside; 1 if not given")
+  command
+      .add_option("--grading", meshing.grading, "Ratio of the longest edges inside to those at the surface; default: 1")
       ->check(CLI::Range(1.0, 100.0))
       ->type_name("G");
   command
       .add_option("--quality", meshing.radius_edge_ratio,
-                  "TetGen: most circumradius over shortest edge; 1.4 if not given")
+                  "TetGen: largest ratio of circumradius to shortest edge; default: 1.4")
       ->check(CLI::Range(1.1, 10.0))
       ->type_name("Q");
   command
       .add_option("--min-dihedral", meshing.min_dihedral_angle,
-                  "TetGen: angle between faces to work for; 10 if not given")
+                  "TetGen: smallest dihedral angle to aim for; default: 10")
       ->check(CLI::Range(0.0, 18.0))
       ->type_name("DEGREES");
 }
@@ -133,25 +133,25 @@ Command add_mesh(CLI::App& program) {
   const auto options = std::make_shared<MeshOptions>();
   command
       ->add_option("SURFACE", options->input,
-                   "Surface: .obj, .stl, .ply, .off, .gltf or .glb; or tetrahedra, whose quality is told")
+                   "Surface: .obj, .stl, .ply, .off, .gltf or .glb; or tetrahedra, for a report of their quality")
       ->required()
       ->type_name("FILE");
   command
       ->add_option("-o,--output", options->output,
-                   "Mesh to write: .msh, .vtu or .node; the table of quality alone if not given")
+                   "Mesh to write: .msh, .vtu or .node; default: only the table of quality")
       ->type_name("FILE");
   add_meshing(*command, options->meshing);
-  command->add_option("--scale", options->scale, "Metres per unit of the file; 1 if not given")
+  command->add_option("--scale", options->scale, "Meters per unit of the file; 1 if not given")
       ->check(CLI::Range(1e-9, 1e6))
       ->type_name("S");
-  command->add_option("--time-limit", options->time_limit, "TetGen: seconds; 300 if not given")
+  command->add_option("--time-limit", options->time_limit, "TetGen: limit in seconds; default: 300")
       ->check(CLI::Range(0.01, 1e6))
       ->type_name("S");
-  command->add_option("--memory-limit", options->memory_limit, "TetGen: megabytes; 8192 if not given")
+  command->add_option("--memory-limit", options->memory_limit, "TetGen: limit in megabytes; default: 8192")
       ->check(CLI::Range(16, 1 << 20))
       ->type_name("MB");
-  command->add_option("--report", options->report, "Write what was found and made as JSON")->type_name("FILE");
-  command->add_flag("--cache,!--no-cache", options->cache, "Use meshes made before; on if not given");
+  command->add_option("--report", options->report, "Write findings and quality as JSON")->type_name("FILE");
+  command->add_flag("--cache,!--no-cache", options->cache, "Use cached meshes; default: on");
   add_threads(*command);
   command->footer(
       "Examples:\n"

@@ -26,11 +26,11 @@ namespace {
 
 struct RegressOptions {
   std::filesystem::path suite;
-  std::vector<std::filesystem::path> init;         ///< scenes; empty: there is a suite
-  std::optional<std::vector<std::string>> accept;  ///< pictures or jobs; empty: all that do not pass
+  std::vector<std::filesystem::path> init;         ///< scenes of a new suite; empty: the suite exists
+  std::optional<std::vector<std::string>> accept;  ///< pictures or jobs; empty: all that fail
   std::vector<std::string> only;                   ///< pictures or jobs; empty: all
   Shard shard;
-  int processes = 0;  ///< 0: as many as the machine has cores
+  int processes = 0;  ///< 0: number of cores
   double time_limit = 600;
   std::filesystem::path report, junit;
   std::optional<int> egl_device;
@@ -40,7 +40,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-/// The jobs that draw what `wanted` names: jobs or pictures; all where it is empty. Throws InputError for other names.
+/// Returns the jobs with or of the named pictures; all if `wanted` is empty. Throws InputError for unknown names.
 std::vector<RenderJob> wanted_jobs(const std::vector<RenderJob>& jobs, const std::vector<std::string>& wanted) {
   if (wanted.empty()) return jobs;
   std::set<std::string> known;
@@ -54,8 +54,7 @@ std::vector<RenderJob> wanted_jobs(const std::vector<RenderJob>& jobs, const std
   }
   for (const std::string& name : wanted)
     if (!known.contains(name))
-      throw InputError(name, "is neither a job nor a picture of the suite, or of this part of it",
-                       "its jobs are in suite.json");
+      throw InputError(name, "is neither a job nor a picture of the suite or shard", "its jobs are in suite.json");
   return result;
 }
 
@@ -81,13 +80,13 @@ int print_results(const std::filesystem::path& suite, const std::vector<PictureR
     ++failed;
     print("%s: %s: %s\n", status_name(result.status), result.name.c_str(), result.reason.c_str());
   }
-  print("%zu pictures, %d not as accepted\n", results.size(), failed);
+  print("%zu pictures, %d differ from the accepted ones\n", results.size(), failed);
   if (failed > 0)
     print("to accept them: %s [NAME...]\n", shell_command({"griffith", "regress", suite.string(), "--accept"}).c_str());
   return failed;
 }
 
-/// Names of the pictures that `wanted` names: themselves or their jobs; all where it is empty.
+/// Returns the pictures that are named or belong to named jobs; all if `wanted` is empty.
 std::set<std::string> wanted_pictures(const std::vector<RenderJob>& jobs, const std::vector<std::string>& wanted) {
   std::set<std::string> pictures(wanted.begin(), wanted.end());
   for (const RenderJob& job : jobs)
@@ -96,14 +95,14 @@ std::set<std::string> wanted_pictures(const std::vector<RenderJob>& jobs, const 
   return pictures;
 }
 
-/// What the record of the picture says drew it; empty where it was not drawn.
+/// Returns the renderer of a drawn picture from its record; empty if it was not drawn.
 std::string drawn_by(const PictureResult& result) {
   for (const PictureResult::Row& row : result.metadata)
     if (row.name == "renderer" && row.actual) return *row.actual;
   return "";
 }
 
-/// Makes what was drawn and did not pass golden; the exit code.
+/// Accepts the new pictures that fail as golden ones. Returns the exit code.
 ExitCode accept_results(const SuiteRun& run, const std::vector<PictureResult>& results) {
   int accepted = 0, errors = 0;
   for (const PictureResult& result : results) {
@@ -150,7 +149,7 @@ void tell_unused(const SuiteRun& run, const std::vector<PictureResult>& results)
   }
 }
 
-/// Accepting writes no report.
+/// Checks that the report can be written; accepting writes none.
 void check_regress_outputs(const RegressOptions& options) {
   if (options.accept) return check_folder(options.suite / kGoldenFolder);
   check_replaceable(options.report);
@@ -181,25 +180,25 @@ ExitCode regress(RegressOptions options) {
 
 void add_options(CLI::App& command, RegressOptions& options) {
   command.add_option("DIR", options.suite, "Folder of the suite: suite.json and goldens")->required()->type_name("DIR");
-  command.add_option("--init", options.init, "Make a suite of these scenes, and accept its pictures")
+  command.add_option("--init", options.init, "Make a suite of these scenes and accept its pictures")
       ->type_name("SCENE");
-  command.add_option("--only", options.only, "Draw and compare these jobs or pictures alone")->type_name("NAME");
+  command.add_option("--only", options.only, "Draw and compare only these jobs or pictures")->type_name("NAME");
   command
       .add_option_function<std::string>(
           "--shard", [&options](const std::string& text) { options.shard = shard_from_text(text); },
-          "Draw and compare one of N equal parts, for several machines")
+          "Draw and compare one of N equal shards, for several machines")
       ->type_name("I/N");
-  command.add_option("--jobs", options.processes, "Processes at a time; as many as there are cores if not given")
+  command.add_option("--jobs", options.processes, "Number of parallel processes; default: number of cores")
       ->check(CLI::Range(1, 256))
       ->type_name("N");
-  command.add_option("--time-limit", options.time_limit, "Seconds that a job may take; 600 if not given")
+  command.add_option("--time-limit", options.time_limit, "Time limit of a job in seconds; default: 600")
       ->check(CLI::Range(1.0, 1e6))
       ->type_name("S");
-  command.add_option("--report", options.report, "HTML file to write; report.html in the suite's folder if not given")
+  command.add_option("--report", options.report, "HTML file to write; default: report.html in the suite's folder")
       ->type_name("FILE");
   command.add_option("--junit", options.junit, "Write the results as JUnit XML, for continuous integration")
       ->type_name("FILE");
-  command.add_option("--egl-device", options.egl_device, "Graphics device to use, as EGL counts them")
+  command.add_option("--egl-device", options.egl_device, "EGL device index of the graphics device")
       ->check(CLI::Range(0, 64))
       ->type_name("N");
 }
@@ -211,19 +210,19 @@ Command add_regress(CLI::App& program) {
   const auto options = std::make_shared<RegressOptions>();
   add_options(*command, *options);
   const auto accepted = std::make_shared<std::vector<std::string>>();
-  CLI::Option* accept = command
-                            ->add_option("--accept", *accepted,
-                                         "Make these pictures, or all of these jobs, the golden ones; without "
-                                         "names all that are not as accepted")
-                            ->expected(0, -1)
-                            ->type_name("[NAME...]");
+  CLI::Option* accept =
+      command
+          ->add_option("--accept", *accepted,
+                       "Accept these pictures, or those of these jobs, as golden; without names all that differ")
+          ->expected(0, -1)
+          ->type_name("[NAME...]");
   command->footer(
       "Examples:\n"
       "  griffith regress pictures --init scenes/wall_small.json scenes/arch.json\n"
       "  griffith regress pictures\n"
       "  griffith regress pictures --accept arch_body_0040\n"
       "  griffith regress pictures --shard 2/5 --junit results.xml --report report.html\n"
-      "Exit code: 0 all pictures are as accepted, 1 some are not, or could not be drawn, 2 bad usage or bad input.");
+      "Exit code: 0 all pictures match, 1 some differ or could not be drawn, 2 bad usage or bad input.");
   return {command, [options, accepted, accept] {
             std::erase(*accepted, "");  // stands for an option without values
             if (*accept) options->accept = *accepted;

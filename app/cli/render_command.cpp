@@ -23,17 +23,17 @@ constexpr int kMaxPixels = 16384;
 
 struct RenderOptions {
   RenderJob job;
-  std::filesystem::path output;    ///< a PNG file, or a folder for the pictures of a file of jobs
-  std::filesystem::path job_file;  ///< empty: `job` alone
-  std::string only;                ///< name of the one job of the file that is wanted; empty: all
+  std::filesystem::path output;    ///< a PNG file, or a folder for the pictures of a job file
+  std::filesystem::path job_file;  ///< empty: only `job`
+  std::string only;                ///< name of the only job of the file to draw; empty: all
   std::vector<std::string> set;    ///< "POINTER=VALUE"
   int frame = 0, every = 0;
-  std::string frames;  ///< as frames_from_text() has them; empty: `frame` and `every`
+  std::string frames;  ///< as in frames_from_text(); empty: `frame` and `every`
   PictureOutput pictures;
   std::optional<int> egl_device;
 };
 
-/// "1280x720" into two numbers; what is wrong with it.
+/// Parses "1280x720". Returns an error text for CLI11, or an empty one.
 std::string read_size(const std::string& text, RenderJob& job) {
   char rest = 0;
   const bool good = std::sscanf(text.c_str(), "%dx%d%c", &job.width, &job.height, &rest) == 2;
@@ -43,13 +43,14 @@ std::string read_size(const std::string& text, RenderJob& job) {
 }
 
 void require_png(const std::filesystem::path& path) {
-  if (path.extension() != ".png") throw InputError(path.string(), "is no name of a PNG file", "end it in .png");
+  if (path.extension() != ".png")
+    throw InputError(path.string(), "is not the name of a PNG file", "use the extension .png");
 }
 
-/// Whether the pictures are numbered even where there is one.
+/// True if even a single picture gets a numbered name.
 bool is_numbered(const RenderOptions& options) { return options.every > 0 || !options.frames.empty(); }
 
-/// What the arguments ask of the scene that they name.
+/// Returns the job of a scene on the command line.
 RenderJob single_job(const RenderOptions& options) {
   RenderJob job = options.job;
   job.name = options.output.stem().string();
@@ -70,11 +71,11 @@ std::vector<RenderJob> jobs_of(const RenderOptions& options) {
   if (options.only.empty()) return jobs;
   std::erase_if(jobs, [&](const RenderJob& job) { return job.name != options.only; });
   if (jobs.empty())
-    throw InputError(options.job_file.string(), "has no job \"" + options.only + "\"", "take one of its names");
+    throw InputError(options.job_file.string(), "has no job \"" + options.only + "\"", "use one of its names");
   return jobs;
 }
 
-/// A view or camera that comes twice would write the same files twice.
+/// Throws InputError for a repeated view or camera, which would write the same files twice.
 void check_names(const RenderJob& job) {
   std::set<std::string> names;
   for (const std::string& camera : job.cameras)
@@ -83,12 +84,12 @@ void check_names(const RenderJob& job) {
         throw InputError("--view and --camera", "name a picture twice", "give each once");
 }
 
-/// What can be told before the work of where its results go, and what the arguments do not say.
+/// Throws InputError for outputs that cannot be written or arguments that contradict each other, before the work.
 void check_arguments(const RenderOptions& options) {
   if (options.job_file.empty() == options.job.scene.empty())
-    throw InputError("render", "needs a scene or --job-file FILE, and not both", "name what is to be drawn");
+    throw InputError("render", "needs either a scene or --job-file FILE", "give one of them");
   if (options.output.empty() && options.pictures.contact_sheet.empty() && options.pictures.video.empty())
-    throw InputError("render", "has nowhere to write to", "add -o, --contact-sheet or --video");
+    throw InputError("render", "has no output", "add -o, --contact-sheet or --video");
   if (!options.pictures.contact_sheet.empty()) {
     require_png(options.pictures.contact_sheet);
     check_replaceable(options.pictures.contact_sheet);
@@ -130,40 +131,38 @@ void render(const RenderOptions& options) {
 void add_what(CLI::App& command, RenderOptions& options) {
   command.add_option("SCENE", options.job.scene, "Scene file")->type_name("FILE");
   add_settings(command, options.set);
-  command.add_option("--job-file", options.job_file, "Draw the pictures that a JSON file lists, of many scenes")
-      ->type_name("FILE");
-  command.add_option("--only", options.only, "Of that file the job of this name alone")->type_name("NAME");
+  command.add_option("--job-file", options.job_file, "Draw the pictures of the jobs in a JSON file")->type_name("FILE");
+  command.add_option("--only", options.only, "Run only the named job")->type_name("NAME");
   CLI::Option* frame = command.add_option("--frame", options.frame, "Time steps before the picture")
                            ->check(CLI::Range(0, kMaxFrames))
                            ->type_name("N");
-  CLI::Option* every = command.add_option("--every", options.every, "A numbered picture every K steps, from 0 to N")
+  CLI::Option* every = command.add_option("--every", options.every, "Numbered pictures every K steps, from 0 to N")
                            ->check(CLI::Range(1, kMaxFrames))
                            ->type_name("K");
   command
       .add_option("--frames", options.frames,
-                  "Several time steps in one run: FROM:TO:EVERY, such as 0:240:10, or a list, 0,30,60")
+                  "Several time steps in one run: FROM:TO:STRIDE, such as 0:240:10, or a list, 0,30,60")
       ->excludes(frame)
       ->excludes(every)
       ->type_name("LIST");
   command
       .add_option(
           "--view", options.job.views,
-          "What to show: a quantity to colour by, a layer, wireframe, shrunken, exploded, slice or unlit; several "
-          "joined by +, such as utilization+fracture_planes+slice. The scene's view if not given. Again: another "
-          "picture")
+          "View: a quantity to color by, a layer, wireframe, shrunken, exploded, slice or unlit; several joined by +, "
+          "such as utilization+fracture_planes+slice. Default: the scene's view. May be repeated for several pictures")
       ->take_all()
       ->allow_extra_args(false)
       ->type_name("NAME");
   command
       .add_option("--camera", options.job.cameras,
-                  "Camera of the scene, the first if not given. Again: another picture")
+                  "Camera of the scene; default: the first. May be repeated for several pictures")
       ->take_all()
       ->allow_extra_args(false)
       ->type_name("NAME");
   command
-      .add_option("--node", options.job.node,
-                  "Node that is explained, in text and by the views candidate_plane and element_forces; the most "
-                  "loaded one if not given")
+      .add_option(
+          "--node", options.job.node,
+          "Node to explain, in text and by the views candidate_plane and element_forces; default: the most loaded one")
       ->check(CLI::Range(0, 1 << 30))
       ->type_name("N");
 }
@@ -176,11 +175,11 @@ void add_how(CLI::App& command, RenderOptions& options) {
             const std::string problem = read_size(text, options.job);
             if (!problem.empty()) throw CLI::ValidationError(problem);
           },
-          "Size of the picture, 1280x720 if not given")
+          "Size of the picture; default: 1280x720")
       ->type_name("WxH");
   command
       .add_option("--samples", options.job.samples,
-                  "Samples per pixel; if not given 4, or 1 in draft quality, without smoothed edges")
+                  "Samples per pixel for antialiasing; default: 4, or 1 in draft quality")
       ->check(CLI::Range(1, 16))
       ->type_name("S");
   std::map<std::string, PictureQuality> qualities;
@@ -188,47 +187,45 @@ void add_how(CLI::App& command, RenderOptions& options) {
     qualities.emplace(name, static_cast<PictureQuality>(qualities.size()));
   command
       .add_option("--quality", options.job.quality,
-                  "draft (the fastest), standard or high (soft shadows, see-through glass); the scene's view if not "
-                  "given")
+                  "draft (the fastest), standard or high (soft shadows, transparent glass); default: the scene's view")
       ->transform(CLI::CheckedTransformer(qualities).description(""))
       ->type_name("NAME");
   command.add_flag("--ui", options.job.interface, "Draw the editor's panels into the picture");
-  command.add_flag("--legend,!--no-legend", options.job.legend, "Draw the legend of the colours; on if not given");
+  command.add_flag("--legend,!--no-legend", options.job.legend, "Draw the legend of the colors; default: on");
   command.add_flag("--transparent", options.job.transparent,
-                   "Draw neither sky nor ground; what shows nothing is transparent");
-  command.add_option("--egl-device", options.egl_device, "Graphics device to use, as EGL counts them")
+                   "Draw neither sky nor ground; empty pixels are transparent");
+  command.add_option("--egl-device", options.egl_device, "EGL device index of the graphics device")
       ->check(CLI::Range(0, 64))
       ->type_name("N");
 }
 
 void add_where(CLI::App& command, RenderOptions& options) {
   command
-      .add_option("-o,--output", options.output,
-                  "PNG file to write; of several pictures each has camera, view and frame in its name. With "
-                  "--job-file a folder")
+      .add_option(
+          "-o,--output", options.output,
+          "PNG file to write; several pictures have camera, view and frame in their names. With --job-file: a folder")
       ->type_name("FILE");
   command
       .add_option("--contact-sheet", options.pictures.contact_sheet,
-                  "Write all pictures as one PNG file, small, in rows")
+                  "Write all pictures into one PNG file, small, in rows")
       ->type_name("FILE");
   command
-      .add_option("--video", options.pictures.video,
-                  "Write the pictures as .mp4, .mkv, .mov, .webm or .gif, by ffmpeg; one for each camera and view")
+      .add_option(
+          "--video", options.pictures.video,
+          "Write the pictures as .mp4, .mkv, .mov, .webm or .gif with ffmpeg; one video for each camera and view")
       ->type_name("FILE");
-  command
-      .add_option("--fps", options.pictures.frames_per_second,
-                  "Pictures a second of the video; as fast as time passes if not given")
+  command.add_option("--fps", options.pictures.frames_per_second, "Frames per second of the video; default: real time")
       ->check(CLI::Range(0.1, 240.0))
       ->type_name("N");
   command.add_flag("--records", options.pictures.records,
-                   "Write beside each PNG file what it shows: numbers and the state's hash (.json), writing or widgets "
-                   "(.txt), what is drawn at each pixel (.ids.png)");
+                   "Write the record of each PNG file: numbers and the state's hash (.json), text or widgets (.txt), "
+                   "ids of the drawn objects (.ids.png)");
 }
 
 }  // namespace
 
 Command add_render(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("render", "Draw scenes into PNG files or videos, without a window");
+  CLI::App* command = program.add_subcommand("render", "Render scenes to PNG files or videos without a window");
   const auto options = std::make_shared<RenderOptions>();
   add_what(*command, *options);
   add_how(*command, *options);
@@ -251,7 +248,7 @@ Command add_render(CLI::App& program) {
       "  griffith render --job-file pictures.json -o pictures");
   return {command, [options] {
             if (options->job.interface && options->job.transparent)
-              throw InputError("--transparent", "does not go with --ui", "leave one of them out");
+              throw InputError("--transparent", "cannot be combined with --ui", "leave one of them out");
             render(*options);
             return kDone;
           }};

@@ -14,17 +14,17 @@
 namespace griffith::app {
 namespace {
 
-/// A recorded run to be made again.
+/// Options of `replay`.
 struct ReplayOptions {
   std::filesystem::path recording;
-  std::filesystem::path extract;  ///< folder for the recording's files, in place of a run; empty: run
+  std::filesystem::path extract;  ///< folder for the recording's files instead of a replay; empty: replays
 };
 
 ExitCode extract(const ReplayOptions& options) {
   check_folder(options.extract);
   std::error_code error;
   if (std::filesystem::exists(options.extract, error) && !std::filesystem::is_empty(options.extract, error))
-    throw InputError(options.extract.string(), "is not empty", "name a new folder: nothing is replaced");
+    throw InputError(options.extract.string(), "is not empty", "name a new folder");
   const Recording recording = read_recording(options.recording);
   write_files(files_of(recording), options.extract);
   print("%s: %lld steps; open %s in the editor\n", options.extract.c_str(), static_cast<long long>(recording.steps()),
@@ -51,7 +51,7 @@ ExitCode replay(const ReplayOptions& options) {
 }  // namespace
 
 Command add_replay(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("replay", "Make a recorded run again and compare every step");
+  CLI::App* command = program.add_subcommand("replay", "Repeat a recorded run and compare every step");
   const auto options = std::make_shared<ReplayOptions>();
   command->add_option("RECORDING", options->recording, "Recording or bug report")->required()->type_name("FILE");
   command
@@ -64,7 +64,7 @@ Command add_replay(CLI::App& program) {
       "  griffith simulate scenes/wall_small.json --frames 120 --record wall.tar.zst\n"
       "  griffith replay wall.tar.zst\n"
       "  griffith replay wall.tar.zst --extract wall\n\n"
-      "Exit code: 0 all steps are equal, 1 one differs (which, and in what fields, is told), 2 it cannot be read.");
+      "Exit code: 0 all steps are equal, 1 a step differs (it is reported with its fields), 2 bad usage or bad input.");
   return {command, [options] { return options->extract.empty() ? replay(*options) : extract(*options); }};
 }
 

@@ -29,10 +29,10 @@ struct ScriptOptions {
   int width = 1500, height = 940;
 };
 
-/// The editor without a window: each frame takes the same time.
+/// The editor without a window; each frame takes the same time.
 class ScriptStage {
  public:
-  /// `graphics`: what draws.
+  /// `graphics`: name of the renderer.
   ScriptStage(const ScriptOptions& options, const Scene& scene, std::string graphics)
       : script_(options.script),
         graphics_(std::move(graphics)),
@@ -58,14 +58,14 @@ class ScriptStage {
   }
 
  private:
-  /// Throws InputError where something that the script asked for was not done but waits for an answer.
+  /// Throws InputError if a request of the script still waits for an answer.
   void require_answers() const {
     const ui::EditorState& state = editor_.state();
     if (state.replacement) fail(state.replacement->command, state.replacement->problem, "click replace/replace");
-    if (state.unsaved) fail(*state.unsaved, "Edits are not saved.", "click unsaved/save, or unsaved/discard");
+    if (state.unsaved) fail(*state.unsaved, "There are unsaved edits.", "click unsaved/save, or unsaved/discard");
   }
   [[noreturn]] void fail(const ui::Command& command, const std::string& problem, const std::string& answer) const {
-    throw InputError(script_.string(), std::string(ui::command_info(command.id).name) + " was not done: " + problem,
+    throw InputError(script_.string(), std::string(ui::command_info(command.id).name) + " is waiting: " + problem,
                      "let the script answer the question: " + answer);
   }
 
@@ -101,19 +101,17 @@ void play_script(const ScriptOptions& options) {
 Command add_script(CLI::App& program) {
   CLI::App* command = program.add_subcommand("script", "Play a script in the editor without a window");
   const auto options = std::make_shared<ScriptOptions>();
-  command->add_option("SCRIPT", options->script, "File of verbs, one a line; docs/scripts.md describes them")
-      ->required()
-      ->type_name("FILE");
+  command->add_option("SCRIPT", options->script, "Script file, see docs/scripts.md")->required()->type_name("FILE");
   command->add_option("SCENE", options->scene, "Scene to open first")->type_name("FILE");
   add_settings(*command, options->set);
-  command->add_option("--width", options->width, "Of the window that is drawn [pixels]")
+  command->add_option("--width", options->width, "Width of the window [pixels]")
       ->check(CLI::Range(kFewestPixels, kMostPixels));
-  command->add_option("--height", options->height, "Of the window that is drawn [pixels]")
+  command->add_option("--height", options->height, "Height of the window [pixels]")
       ->check(CLI::Range(kFewestPixels, kMostPixels));
   add_threads(*command);
   command->footer(
       "Example:\n  griffith script bug.script scenes/wall_small.json\n\n"
-      "Exit code 2 where a line cannot be played, or expects something else than is shown.");
+      "Exit code 2 if a line cannot be played or an expectation fails.");
   return {command, [options] {
             play_script(*options);
             return kDone;

@@ -22,24 +22,24 @@
 namespace griffith::app {
 namespace {
 
-/// Steps without pictures.
+/// Options of `simulate`.
 struct SimulateOptions {
   std::filesystem::path scene;
   std::vector<std::string> set;  ///< "POINTER=VALUE"
   int frames = 0;
-  std::filesystem::path stats;          ///< empty: a summary on stdout
-  std::filesystem::path probes;         ///< empty: the scene's probes are not written down
+  std::filesystem::path stats;          ///< empty: prints a summary
+  std::filesystem::path probes;         ///< CSV of the scene's probes; empty: none
   std::filesystem::path energy;         ///< CSV of the energy account; empty: none
   std::filesystem::path events;         ///< JSON of all crack events; empty: none
   std::filesystem::path export_file;    ///< .vtu or .msh of the last frame; empty: none
   std::filesystem::path export_pieces;  ///< folder for the last frame's bodies as .obj; empty: none
-  std::filesystem::path outcomes;       ///< JSON of how it came out; empty: none
+  std::filesystem::path outcomes;       ///< JSON of the outcomes; empty: none
   std::filesystem::path record;         ///< recording of the run; empty: none
-  bool pack_outside = false;            ///< also files from outside the scene's folder, into the recording
-  int threads = 1;                      ///< in use, for the report
+  bool pack_outside = false;            ///< includes files from outside the scene's folder in the recording
+  int threads = 1;                      ///< number of threads, for the report
 };
 
-/// What can be told before the run of where its results go.
+/// Throws InputError for outputs that cannot be written, before the run.
 void check_outputs(const SimulateOptions& options) {
   if (!options.export_file.empty()) check_export_path(options.export_file);
   for (const std::filesystem::path& path : {options.stats, options.probes, options.energy, options.events,
@@ -94,7 +94,7 @@ void simulate(const SimulateOptions& options) {
 }  // namespace
 
 Command add_simulate(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("simulate", "Step a scene without any graphics");
+  CLI::App* command = program.add_subcommand("simulate", "Simulate a scene without graphics");
   const auto options = std::make_shared<SimulateOptions>();
   command->add_option("SCENE", options->scene, "Scene file")->required()->type_name("FILE");
   add_settings(*command, options->set);
@@ -102,10 +102,10 @@ Command add_simulate(CLI::App& program) {
       ->required()
       ->check(CLI::Range(0, kMaxFrames))
       ->type_name("N");
-  command->add_option("--stats", options->stats, "Write what happened as JSON instead of a summary")->type_name("FILE");
-  command->add_option("--probes", options->probes, "Write the scene's probes as CSV, one row a time step")
+  command->add_option("--stats", options->stats, "Write statistics as JSON instead of a summary")->type_name("FILE");
+  command->add_option("--probes", options->probes, "Write the scene's probes as CSV, one row per time step")
       ->type_name("FILE");
-  command->add_option("--energy", options->energy, "Write where the energy went as CSV, one row a time step")
+  command->add_option("--energy", options->energy, "Write the energy account as CSV, one row per time step")
       ->type_name("FILE");
   command
       ->add_option("--events", options->events,
@@ -117,8 +117,7 @@ Command add_simulate(CLI::App& program) {
       ->add_option("--export-pieces", options->export_pieces,
                    "Write each body of the last time step as .obj into a folder, with its splinters if it has any")
       ->type_name("DIR");
-  command
-      ->add_option("--outcomes", options->outcomes, "Write how it came out as JSON: pieces, masses, cracks, energies")
+  command->add_option("--outcomes", options->outcomes, "Write the outcomes as JSON: pieces, masses, cracks, energies")
       ->type_name("FILE");
   CLI::Option* record =
       command->add_option("--record", options->record,

@@ -22,20 +22,20 @@ namespace fs = std::filesystem;
 struct SweepOptions {
   SweepDefinition definition;
   fs::path folder;
-  fs::path job_list;  ///< empty: the runs are made here
+  fs::path job_list;  ///< empty: runs the jobs itself
   bool collect = false, retry = false;
   std::optional<int> picture_frame;
-  Effort effort;
+  JobLimits job_limits;
 };
 
 void write_job_list(const Sweep& sweep, const SweepOptions& options) {
   replace_file(options.job_list, job_list(sweep));
   if (sweep.picture_frame) fs::create_directories(sweep.picture_file(0).parent_path());
-  print("%s: %zu jobs, one a line\n  here: parallel < %s\n", options.job_list.c_str(), sweep.size(),
+  print("%s: %zu jobs, one per line\n  here: parallel < %s\n", options.job_list.c_str(), sweep.size(),
         options.job_list.c_str());
   print("  Slurm: sbatch --array=1-%zu --wrap 'sed -n \"${SLURM_ARRAY_TASK_ID}p\" %s | sh'\n", sweep.size(),
         options.job_list.c_str());
-  print("then the same command without --list-jobs makes what is missing, the table and the page\n");
+  print("then the same command without --list-jobs makes missing runs, the table and the page\n");
 }
 
 void say_where_it_stands(const Sweep& sweep, const std::vector<std::optional<RunRecord>>& records) {
@@ -44,21 +44,22 @@ void say_where_it_stands(const Sweep& sweep, const std::vector<std::optional<Run
     made += record ? 1 : 0;
     failed += record && !record->error.empty() ? 1 : 0;
   }
-  print("%zu of %zu runs are made", made, sweep.size());
-  if (failed > 0) print(", %zu of them failed (--retry makes those again)", failed);
+  print("%zu of %zu runs are finished", made, sweep.size());
+  if (failed > 0) print(", %zu of them failed (--retry repeats them)", failed);
   print("\n%s\n%s\n", (sweep.folder / "outcomes.csv").c_str(), (sweep.folder / "index.html").c_str());
 }
 
-/// Makes what is missing, then the table and the page of what is there.
+/// Makes the missing runs, then the table and the page of all.
 void carry_out(const Sweep& sweep, const SweepOptions& options) {
   const TerminationHold hold;
   const auto cancelled = [&hold] { return hold.requested(); };
-  if (!options.collect) make_missing_runs(sweep, options.effort, cancelled);
+  if (!options.collect) make_missing_runs(sweep, options.job_limits, cancelled);
   const std::vector<std::optional<RunRecord>> records = read_records(sweep);
   std::string note;
-  if (sweep.picture_frame && !options.collect) note = make_missing_pictures(sweep, records, options.effort, cancelled);
+  if (sweep.picture_frame && !options.collect)
+    note = make_missing_pictures(sweep, records, options.job_limits, cancelled);
   if (hold.requested()) {
-    print_error("interrupted: %zu of %zu runs are to be made; the same command goes on\n", missing_runs(sweep).size(),
+    print_error("interrupted: %zu of %zu runs remain; repeat the command to continue\n", missing_runs(sweep).size(),
                 sweep.size());
     return;
   }
@@ -75,8 +76,8 @@ void run_sweep(const SweepOptions& options) {
   Sweep sweep = make_sweep(options.definition, options.folder);
   sweep.picture_frame = options.picture_frame;
   const FolderLock lock(sweep.folder);
-  take_up(sweep);
-  if (options.retry) forget_failed_runs(sweep);
+  prepare_folder(sweep);
+  if (options.retry) remove_failed_records(sweep);
   if (options.job_list.empty()) {
     carry_out(sweep, options);
   } else {
@@ -96,16 +97,16 @@ std::string outcome_help() {
 void add_what_varies(CLI::App& command, SweepDefinition& sweep) {
   command
       .add_option("--vary", sweep.vary,
-                  "A field and its values: a list (2,4,8), evenly spaced (1:10:4), evenly by their logarithm "
+                  "A field and its values: a list (2,4,8), evenly spaced (1:10:4), logarithmically spaced "
                   "(1e9:1e11:5log), or a range (1:10, 1:10:log) for --latin-hypercube. Several are combined")
       ->allow_extra_args(false)
       ->type_name("POINTER=VALUES");
   add_settings(command, sweep.set);
-  command.add_option("--latin-hypercube", sweep.samples, "Take N points of all ranges together, well spread")
+  command.add_option("--latin-hypercube", sweep.samples, "Sample N points of all ranges together in a Latin hypercube")
       ->check(CLI::Range(1, 100'000))
       ->type_name("N");
-  command.add_option("--seed", sweep.seed, "Of those points' random numbers, 1 if not given")->type_name("S");
-  command.add_option("--seeds", sweep.seeds, "Each run with N seeds of the bodies' random strength")
+  command.add_option("--seed", sweep.seed, "Random seed of those points; default: 1")->type_name("S");
+  command.add_option("--seeds", sweep.seeds, "Repeat each run with N seeds of the bodies' random strength")
       ->check(CLI::Range(1, 100'000))
       ->type_name("N");
   command.add_option("--frames", sweep.frames, "Time steps of each run")
@@ -116,19 +117,20 @@ void add_what_varies(CLI::App& command, SweepDefinition& sweep) {
 
 }  // namespace
 
-void add_effort(CLI::App& command, Effort& effort) {
-  effort.jobs = default_thread_count();
-  effort.limits = {1e9, std::numeric_limits<std::int64_t>::max()};
-  command.add_option("--jobs", effort.jobs, "Runs at a time, as many as processors if not given")
+void add_job_limits(CLI::App& command, JobLimits& job_limits) {
+  job_limits.jobs = default_thread_count();
+  job_limits.limits = {1e9, std::numeric_limits<std::int64_t>::max()};
+  command.add_option("--jobs", job_limits.jobs, "Number of parallel runs; default: number of processors")
       ->check(CLI::Range(1, 1024))
       ->type_name("J");
-  command.add_option("--time-limit", effort.limits.seconds, "Seconds that a run may take")
+  command.add_option("--time-limit", job_limits.limits.seconds, "Time limit of a run in seconds")
       ->check(CLI::Range(0.01, 1e9))
       ->type_name("S");
   command
       .add_option_function<std::int64_t>(
-          "--memory-limit", [&effort](const std::int64_t& megabytes) { effort.limits.memory_bytes = megabytes << 20; },
-          "Megabytes of address space that a run may take")
+          "--memory-limit",
+          [&job_limits](const std::int64_t& megabytes) { job_limits.limits.memory_bytes = megabytes << 20; },
+          "Limit of a run's address space in megabytes")
       ->check(CLI::Range(16, 1 << 30))
       ->type_name("MB");
 }
@@ -138,20 +140,19 @@ Command add_sweep(CLI::App& program) {
   const auto options = std::make_shared<SweepOptions>();
   command->add_option("SCENE", options->definition.scene, "Scene file")->required()->type_name("FILE");
   add_what_varies(*command, options->definition);
-  command
-      ->add_option("-o,--output", options->folder, "Folder of the results; one that holds this sweep is gone on with")
+  command->add_option("-o,--output", options->folder, "Folder of the results; a sweep in it is continued")
       ->required()
       ->type_name("DIR");
-  command->add_option("--picture-frame", options->picture_frame, "A picture of each run after K steps, for the page")
+  command->add_option("--picture-frame", options->picture_frame, "Picture of each run after K steps, for the page")
       ->check(CLI::Range(0, kMaxFrames))
       ->type_name("K");
-  add_effort(*command, options->effort);
-  CLI::Option* jobs = command->add_option("--list-jobs", options->job_list,
-                                          "Make no run, but write a shell's command for each: for GNU parallel, Slurm");
+  add_job_limits(*command, options->job_limits);
+  CLI::Option* jobs =
+      command->add_option("--list-jobs", options->job_list,
+                          "Write a shell command for each run instead of running it: for GNU parallel, Slurm");
   jobs->type_name("FILE");
-  command->add_flag("--collect", options->collect, "Make no run, but table and page of those that are made")
-      ->excludes(jobs);
-  command->add_flag("--retry", options->retry, "Make runs again that failed");
+  command->add_flag("--collect", options->collect, "Make only the table and the page of finished runs")->excludes(jobs);
+  command->add_flag("--retry", options->retry, "Repeat failed runs");
   command->footer(
       "Examples:\n"
       "  griffith sweep scenes/glass_pane.json --frames 60 --vary projectiles/0/speed=5:40:8 -o speeds\n"

@@ -26,14 +26,14 @@ void write_thumbnail(const std::filesystem::path& scene, const std::filesystem::
   replace_file(output, render::encode_png(thumbnail(read, scene)));
 }
 
-/// Draws the thumbnail that comes with a scene where it is missing, or older than the scene.
+/// Draws the thumbnail shipped with a scene if it is missing or older than the scene.
 void ship_thumbnail_of(const std::filesystem::path& scene) {
   if (shipped_thumbnail(scene)) return;
   ship_thumbnail(scene, thumbnail(read_scene(scene), scene));
   print("%s\n", shipped_thumbnail_file(scene).c_str());
 }
 
-/// Of scenes, and of all in folders, where what belongs to none is told.
+/// Draws missing thumbnails of scenes and of all scenes in folders, and reports stale files.
 void ship_thumbnails(const std::vector<std::filesystem::path>& paths) {
   const render::EglContext context;
   for (const std::filesystem::path& path : paths) {
@@ -43,38 +43,38 @@ void ship_thumbnails(const std::vector<std::filesystem::path>& paths) {
     }
     for (const std::filesystem::path& scene : scenes_in(path)) ship_thumbnail_of(scene);
     for (const std::filesystem::path& stale : stale_thumbnails(path))
-      print("%s belongs to no scene as it is now\n", stale.c_str());
+      print("%s belongs to no current scene\n", stale.c_str());
   }
 }
 
 }  // namespace
 
 Command add_thumbnail(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("thumbnail", "Draw a small picture of what happens in a scene");
+  CLI::App* command = program.add_subcommand("thumbnail", "Draw a thumbnail of a scene");
   const auto options = std::make_shared<ThumbnailOptions>();
   command->add_option("SCENE", options->scenes, "Scene file, or with --ship a folder of them")
       ->required()
       ->type_name("FILE");
   CLI::Option* output =
-      command->add_option("-o,--output", options->output, "PNG file to write, of one scene")->type_name("FILE");
+      command->add_option("-o,--output", options->output, "PNG file to write, for one scene")->type_name("FILE");
   command
       ->add_flag("--ship", options->ship,
-                 "Write what comes with the scenes: into the folder thumbnails beside each, where there is none of it "
-                 "as it is now")
+                 "Write the shipped thumbnails: into the folder thumbnails beside each scene, if missing or outdated")
       ->excludes(output);
   add_threads(*command);
   command->footer(
       "Example:\n  griffith thumbnail scenes/glass_pane.json -o pane.png\n\n"
-      "Shows the scene some time steps after its first crack, in 480x270 pixels. The browser of scenes shows at once\n"
-      "what\n  griffith thumbnail --ship scenes scenes/validation\nhas written, and draws the others.");
+      "Shows the scene some time steps after its first crack, in 480x270 pixels. The scene browser shows those written "
+      "by\n"
+      "  griffith thumbnail --ship scenes scenes/validation\nat once, and draws the others.");
   return {command, [options] {
             if (options->ship) {
               ship_thumbnails(options->scenes);
             } else if (options->scenes.size() == 1 && !options->output.empty()) {
               write_thumbnail(options->scenes.front(), options->output);
             } else {
-              throw InputError("the command thumbnail", "has no place to write to",
-                               "write one scene and -o FILE, or --ship and any number of scenes");
+              throw InputError("the command thumbnail", "has no output",
+                               "give one scene and -o FILE, or --ship with any number of scenes");
             }
             return kDone;
           }};

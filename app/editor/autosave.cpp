@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr char kScene[] = "scene.json";
-constexpr char kOldOrigin[] = "origin";  ///< earlier versions wrote it, too
+constexpr char kOldOrigin[] = "origin";  ///< written by earlier versions
 constexpr std::string_view kMark = "edits-";
 constexpr std::size_t kRandomLength = 6;
 
@@ -33,7 +33,7 @@ fs::path prefix_beside(const fs::path& file) {
   return fs::absolute(file).parent_path() / ("." + file.filename().string() + "." + std::string(kMark));
 }
 
-/// The "edits-XXXXXX" that the name of a copy ends with; empty for any other name.
+/// Returns the suffix "edits-XXXXXX" of the name of a copy; empty for any other name.
 std::string_view mark_in(std::string_view name) {
   const std::size_t length = kMark.size() + kRandomLength;
   if (name.size() < length) return {};
@@ -43,18 +43,18 @@ std::string_view mark_in(std::string_view name) {
   return whole && random && mark.starts_with(kMark) ? mark : std::string_view();
 }
 
-/// The scene file that a copy is of, which its own name tells: what is written in a folder may come from elsewhere.
-/// Empty when it had none.
+/// Returns the scene file of a copy, derived from the copy's own name because the content of a folder may come from
+/// elsewhere. Empty if it had none.
 fs::path origin_of(const fs::path& copy) {
   const std::string name = copy.filename().string();
   const std::size_t mark = mark_in(name).size();
   return mark == name.size() ? fs::path() : copy.parent_path() / name.substr(1, name.size() - mark - 2);
 }
 
-/// The link in `states` to a copy beside a scene.
+/// Returns the link in `states` to a copy beside a scene.
 fs::path link_to(const fs::path& copy, const fs::path& states) { return states / mark_in(copy.filename().string()); }
 
-/// True if it is a folder with the name and the scene of a copy, and no link is among them.
+/// True if it is a folder with the name and the scene of a copy, and none of these is a link.
 bool is_copy(const fs::path& folder) {
   std::error_code ignored;
   return !mark_in(folder.filename().string()).empty() &&
@@ -62,7 +62,7 @@ bool is_copy(const fs::path& folder) {
          fs::symlink_status(folder / kScene, ignored).type() == fs::file_type::regular;
 }
 
-/// Removes what the program wrote there, and the folder unless something else is in it.
+/// Removes the program's files, and the folder if it is then empty.
 void remove_copy(const LockedFolder& copy, const fs::path& states) {
   std::error_code ignored;
   if (const fs::path link = link_to(copy.path(), states); fs::is_symlink(link, ignored)) fs::remove(link, ignored);
@@ -71,15 +71,15 @@ void remove_copy(const LockedFolder& copy, const fs::path& states) {
   fs::remove(copy.path(), ignored);
 }
 
-/// Adds the copies beside a scene. Links are not followed: whoever wrote the scene may have put them there.
+/// Adds the copies beside a scene. Links are not followed: the author of the scene may have put them there.
 void collect_beside(const fs::path& file, std::vector<fs::path>& copies) {
   const fs::path scene = fs::absolute(file);
   for (const fs::path& path : files_in(scene.parent_path()))
     if (is_copy(path) && origin_of(path) == scene) copies.push_back(path);
 }
 
-/// Adds the copies of the user's folder for states, and those beside scenes that its links lead to. Removes broken
-/// links, save where the folder of the copy is away: a drive that is not there now.
+/// Adds the copies in the user's state folder and those to which its links lead. Removes broken links, unless the
+/// folder around the copy is missing too: its drive may not be mounted.
 void collect_known(const fs::path& states, std::vector<fs::path>& copies) {
   std::error_code ignored;
   for (const fs::path& path : files_in(states)) {
@@ -108,8 +108,8 @@ LockedFolder LockedFolder::make(const fs::path& prefix) {
     if (std::optional<LockedFolder> folder = take(path)) return std::move(*folder);
     rmdir(path.c_str());
   }
-  throw InputError(prefix.parent_path().string(), "takes no copy of the edits that are not saved",
-                   "save the scene in a folder that may be written to");
+  throw InputError(prefix.parent_path().string(), "cannot hold a copy of the unsaved edits",
+                   "save the scene in a writable folder");
 }
 
 std::optional<LockedFolder> LockedFolder::take(const fs::path& path) {
@@ -131,15 +131,15 @@ void Autosave::write(const Scene& scene, const fs::path& file) {
     if (is_new) remove();  // leaves no empty folder
     throw;
   }
-  // Only now: others remove links to copies that hold nothing.
+  // The link is made last: other instances remove links to copies without content.
   if (!file.empty() && !states_.empty())
     fs::create_directory_symlink(own_->path(), link_to(own_->path(), states_), ignored);
 }
 
 void Autosave::begin_copy(const fs::path& file) {
   if (file.empty() && states_.empty())
-    throw InputError("the edits", "are copied nowhere until the scene is saved",
-                     "set HOME or XDG_STATE_HOME, or save it");
+    throw InputError("the edits", "are not copied until the scene is saved",
+                     "set HOME or XDG_STATE_HOME, or save the scene");
   std::error_code ignored;
   if (!states_.empty()) fs::create_directories(states_, ignored);
   own_ = LockedFolder::make(file.empty() ? states_ / kMark : prefix_beside(file));
@@ -183,7 +183,7 @@ std::string Autosave::found_text() const {
   return (origin.empty() ? std::string("a new scene") : origin.string()) + ", " + text;
 }
 
-LeftEdits Autosave::found_edits() const {
+UnsavedEdits Autosave::found_edits() const {
   const fs::path origin = origin_of(found_->path());
   const fs::path folder = origin.empty() ? fs::current_path() : origin.parent_path();
   return {with_paths_from(read_scene(found_->path() / kScene), folder), origin};

@@ -10,13 +10,13 @@
 
 namespace griffith::app {
 
-/// A folder that is locked while this program holds it: others can tell whether it is still in use, even after a crash.
+/// A folder that is locked while this program holds it, so that others know whether it is in use, even after a crash.
 /// It stays when the lock is released.
 class LockedFolder {
  public:
-  /// A new one whose path is `prefix` and six more characters. Throws InputError when it cannot be made.
+  /// Makes a folder whose path is `prefix` and six more characters. Throws InputError if it cannot be made.
   static LockedFolder make(const std::filesystem::path& prefix);
-  /// One that is there, nothing when it is another user's or somebody holds it.
+  /// Locks an existing folder; empty if it belongs to another user or is locked.
   static std::optional<LockedFolder> take(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return path_; }
@@ -28,40 +28,39 @@ class LockedFolder {
   Descriptor lock_;
 };
 
-/// Edits that were never saved, since the program was cut short.
-struct LeftEdits {
+/// Unsaved edits of a crashed run.
+struct UnsavedEdits {
   Scene scene;
-  std::filesystem::path file;  ///< of the scene that was edited; empty when it had none yet
+  std::filesystem::path file;  ///< file of the edited scene; empty if it had none yet
 };
 
-/// Keeps a copy of edits that are not saved: for a scene with a file in the folder `.NAME.edits-XXXXXX` beside it, for
-/// others in the user's folder for states. Instances of the program know their copies apart by locks, and leave those
-/// of others that run alone. What stands beside a scene may come from elsewhere with it: links there are not followed,
-/// the name of a copy alone tells whose it is, and nothing is removed but what the program wrote.
+/// Keeps a copy of unsaved edits: in the folder `.NAME.edits-XXXXXX` beside the scene's file, or in the user's state
+/// folder for a scene without a file. Locks separate the copies of running instances. A folder may come from elsewhere
+/// together with a scene. Links in it are therefore not followed, the name of a copy alone determines its scene, and
+/// only files of this program are removed.
 class Autosave {
  public:
-  /// `states`: the user's folder for states; also holds links to all copies beside scenes. Empty: there is none.
+  /// `states`: the user's state folder, which also holds links to all copies beside scenes. Empty: there is none.
   explicit Autosave(std::filesystem::path states) : states_(std::move(states)) {}
 
-  /// Writes a copy of the scene, whose file is `file` (absolute, or empty), in place of the last one. Throws InputError
-  /// when that fails.
+  /// Replaces the copy of the scene with the file `file` (absolute, or empty). Throws InputError if that fails.
   void write(const Scene& scene, const std::filesystem::path& file);
-  /// Removes the copy, if there is one: the edits are saved, or not wanted.
+  /// Removes the copy, if there is one, after the edits were saved or discarded.
   void remove();
 
-  /// Finds the newest copy that nobody holds, of the scene in `file` (absolute, or empty), and holds it.
+  /// Finds and locks the newest free copy of the scene in `file` (absolute, or empty).
   bool find(const std::filesystem::path& file);
-  /// Looks among those of all scenes that the user's folder for states knows.
+  /// Finds and locks the newest free copy of any scene known in the user's state folder.
   bool find_any(const std::filesystem::path& file);
   bool has_found() const { return found_.has_value(); }
-  /// Name of the copy that was found: "wall.json, 22 November 05:13".
+  /// Describes the found copy: "wall.json, 22 November 05:13".
   std::string found_text() const;
-  /// What it holds. Throws InputError when it cannot be read.
-  LeftEdits found_edits() const;
-  /// Makes it this program's own.
+  /// Reads the found copy. Throws InputError if that fails.
+  UnsavedEdits found_edits() const;
+  /// Makes the found copy this program's own.
   void adopt_found();
   void remove_found();
-  /// Leaves it for the next start.
+  /// Leaves the found copy for the next start.
   void leave_found() { found_.reset(); }
 
  private:
@@ -70,10 +69,10 @@ class Autosave {
 
   std::filesystem::path states_;
   std::optional<LockedFolder> own_, found_;
-  std::filesystem::path own_file_;  ///< whose copy `own_` is
+  std::filesystem::path own_file_;  ///< file of the scene copied in `own_`
 };
 
-/// $XDG_STATE_HOME/griffith, or ~/.local/state/griffith; empty when neither variable is set.
+/// Returns $XDG_STATE_HOME/griffith, or ~/.local/state/griffith; empty if neither variable is set.
 std::filesystem::path state_folder();
 
 }  // namespace griffith::app

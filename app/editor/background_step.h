@@ -10,14 +10,14 @@
 
 namespace griffith::app {
 
-/// Makes a time step of a copy of the world on a thread of its own, so that the window goes on living meanwhile, and
-/// what follows from the step: what the timeline keeps of it, its picture. What else happens to the world while the
-/// step is being made makes it stale: it is thrown away then, and so the result depends on no clock.
+/// Makes a time step of a copy of the world on a thread of its own, so that the window stays responsive, together with
+/// its snapshot and picture. Any other change of the world during the step makes it stale. A stale step is discarded,
+/// so the result does not depend on timing.
 class BackgroundStep {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// What a step begins with: equal starts, equal worlds.
+  /// Starting point of a step; equal values mean equal worlds.
   struct Start {
     std::int64_t world = -1, revision = -1;
     bool operator==(const Start&) const = default;
@@ -25,20 +25,20 @@ class BackgroundStep {
 
   struct Made {
     MadeStep step;
-    std::optional<StepPicture> picture;  ///< where one was asked for
+    std::optional<StepPicture> picture;  ///< picture, if requested
   };
 
-  /// Begins a step. None may be on its way.
+  /// Begins a step. None may be in progress.
   void begin(NextStep next, std::optional<StepPicture> picture, const Start& start);
-  /// Whether a step is on its way or lies there to be taken.
+  /// True if a step is in progress or finished but not taken.
   bool pending() const { return result_.valid(); }
-  /// Whether that step is the next one of what is there now.
+  /// True if that step follows from the current world.
   bool fits(const Start& now) const { return pending() && start_ == now; }
-  /// Waits until then at most; whether the step is made.
+  /// Waits no longer than `deadline`. True if the step is finished.
   bool wait_until(Clock::time_point deadline) const;
-  /// How long the step has been under way [s]; 0 when none is.
+  /// Returns the time since the step began [s]; 0 if there is none.
   double age() const;
-  /// The step, once it is made: waits for it. One must be pending. Throws what the step threw.
+  /// Waits for the step and returns it. One must be pending. Rethrows an exception of the step.
   Made take() { return result_.get(); }
 
  private:

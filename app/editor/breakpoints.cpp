@@ -38,14 +38,14 @@ std::optional<Stop> next_crack(const Breakpoints& breakpoints, const Frame& befo
                                const ui::Selection& selection) {
   for (std::size_t i = before.crack_events.size(); i < after.crack_events.size(); ++i)
     if (concerns(after.crack_events[i], breakpoints, after, scene_body, selection)) {
-      // A node that an earlier crack of this step made is not there before it.
+      // A node made by an earlier crack of this step does not exist before it.
       const NodeId node = after.crack_events[i].node;
       return Stop{node_text(node) + " cracks in the next step.", is_known(node, before) ? node : NodeId(), {}};
     }
   return {};
 }
 
-/// The first crack of the step at each node that is there before it.
+/// Returns the first crack of the step at each node that exists before it.
 std::vector<ui::ComingCrack> coming_cracks(const Frame& before, const Frame& after) {
   std::vector<ui::ComingCrack> cracks;
   for (const CrackEvent& event : after.crack_events.subspan(before.crack_events.size()))
@@ -67,11 +67,11 @@ std::optional<Stop> passed_limit(const Breakpoints& breakpoints, const Frame& be
   const double unaccounted = std::abs(after.energy_of_step.unaccounted());
   if (breakpoints.on_energy && unaccounted > breakpoints.energy * turned_over && unaccounted > 0)
     return Stop{"The next step leaves " + ui::format_quantity(100 * unaccounted / turned_over, "", 3) +
-                    " % of the energy that it turns over unaccounted for.",
+                    " % of its energy turnover unaccounted for.",
                 {},
                 {}};
   if (breakpoints.on_failure && (after.report.unconverged_solves > 0 || after.report.non_finite_values > 0))
-    return Stop{"In the next step a solve does not converge, or values break down.", {}, {}};
+    return Stop{"In the next step a solve does not converge or values are not finite.", {}, {}};
   return {};
 }
 

@@ -9,7 +9,7 @@
 
 namespace griffith::app {
 
-/// Why to stop before a step from `before` to `after`, which met a breakpoint; nothing: it met none. `scene_body`,
+/// Returns the reason to stop before a step from `before` to `after`; empty if no breakpoint was reached. `scene_body`,
 /// `selection`: those chosen in the editor.
 std::optional<ui::Stop> met_breakpoint(const ui::Breakpoints& breakpoints, const Frame& before, const Frame& after,
                                        int scene_body, const ui::Selection& selection);

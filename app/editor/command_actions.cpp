@@ -13,7 +13,7 @@ void toggle(bool& value) { value = !value; }
 
 }  // namespace
 
-/// A line for each command of the registry.
+/// One entry for each command of the registry.
 std::span<const CommandAction> Editor::command_actions() {
   static constexpr auto kInTime = [](Editor& editor, const ui::Command& command) { editor.carry_out_in_time(command); };
   static constexpr auto kAddBody = [](Editor& editor, const ui::Command& command) { editor.add_new_body(command); };
@@ -111,11 +111,12 @@ std::span<const CommandAction> Editor::command_actions() {
   return kActions;
 }
 
-std::string_view Editor::why_not(CommandId id) const {
+std::string_view Editor::disabled_reason(CommandId id) const {
   const ui::CommandInfo& info = ui::command_info(id);
   const ui::TimeView time = time_view();
   const bool has_legend = !picture_.surface.scalar_style.quantity.empty();
-  return info.why_not ? info.why_not({state_, history_, time, frame().step, has_legend}) : std::string_view();
+  return info.disabled_reason ? info.disabled_reason({state_, history_, time, frame().step, has_legend})
+                              : std::string_view();
 }
 
 void Editor::carry_out(const ui::Command& command) {

@@ -10,7 +10,7 @@ namespace {
 
 std::string length_text(double length) { return ui::format_quantity(length, "m", 3); }
 
-/// `at (0.1, 1.2, 0) m of "wall"`.
+/// Describes the place of a gap: `at (0.1, 1.2, 0) m of "wall"`.
 std::string place_text(const Gap& gap, const Scene& scene) {
   std::string text = "at (";
   for (int i = 0; i < 3; ++i) text += (i > 0 ? ", " : "") + ui::format_quantity(gap.place[i], "", 3);

@@ -9,25 +9,25 @@
 
 namespace griffith::app {
 
-/// How far two frames of one scene are apart, where that is most.
+/// Largest distance between two frames of one scene.
 struct Gap {
-  double distance = 0;        ///< of a node's places [m]
-  int scene_body = -1;        ///< the node's; -1: all are in the same place
-  Vec3 place = Vec3::Zero();  ///< of the node in the first frame [m]
+  double distance = 0;        ///< distance of a node's two positions [m]
+  int scene_body = -1;        ///< scene body of the node; -1: no difference
+  Vec3 place = Vec3::Zero();  ///< position of the node in the first frame [m]
 };
 Gap largest_gap(const Frame& a, const Frame& b);
 
-/// Where two runs from one start differ first.
+/// First difference of two runs with the same start.
 struct Divergence {
   std::int64_t step = 0;
   double time = 0;  ///< [s]
-  Gap gap;          ///< in that step
+  Gap gap;          ///< gap in that step
 };
-/// Between the branches that the two timelines are in; nothing where one goes on as the other, as far as both go. Makes
-/// steps again to find out.
+/// Returns the first difference of the branches of two timelines; empty if one continues the other as far as both go.
+/// Recomputes steps to find it.
 std::optional<Divergence> first_divergence(const Timeline& a, const Timeline& b);
 
-/// Another branch of a timeline, at the step that is shown, and its picture. Needs a current OpenGL context.
+/// Another branch of a timeline at the shown step, with its picture. Needs a current OpenGL context.
 class ComparedBranch {
  public:
   /// `display`: of the timeline's world.
@@ -36,9 +36,9 @@ class ComparedBranch {
   int branch() const { return timeline_.branch(); }
   const Timeline& timeline() const { return timeline_; }
   Frame frame() const { return timeline_.world().frame(); }
-  /// Goes to the step, or to the branch's last one, and finds out where it parted from `shown`.
+  /// Goes to the step, or to the branch's last one, and finds its first difference from `shown`.
   void follow(const Timeline& shown);
-  /// Where and when it differs first from what is shown, and how far it is off now.
+  /// Describes the place and time of the first difference from the shown branch, and the current distance.
   std::string difference(const Timeline& shown, const Scene& scene) const;
 
   void draw(const Scene& scene, const ViewSettings& view, const std::optional<Vec2>& range, const HiddenBodies& hidden,
@@ -50,8 +50,8 @@ class ComparedBranch {
   EmbeddedDisplay display_;
   render::Renderer renderer_;
   std::optional<Divergence> divergence_;
-  int shown_branch_ = -1;          ///< with which it was compared
-  std::int64_t compared_to_ = -1;  ///< the last step that both were known to have
+  int shown_branch_ = -1;          ///< branch of the last comparison
+  std::int64_t compared_to_ = -1;  ///< last step that both had at that time
 };
 
 }  // namespace griffith::app

@@ -19,7 +19,7 @@ namespace griffith::app {
 namespace {
 
 constexpr std::size_t kMaxLogLines = 5000;
-/// The picture's size before the panels were laid out [pixels].
+/// Size of the picture before the panels are laid out [pixels].
 constexpr int kFirstWidth = 640, kFirstHeight = 480;
 
 ProjectileBurst first_shot(const Scene& scene) {
@@ -37,7 +37,7 @@ ui::ViewCamera view_camera(const render::Camera& camera) {
           .tangent = std::tan(static_cast<double>(camera.vertical_fov) * std::numbers::pi / 360)};
 }
 
-/// Sets the box round what is elastic, whatever the picture shows of it.
+/// Sets the bounding box of the deformable bodies, however they are drawn.
 void set_bounds(ui::EditorInput& input) {
   const Eigen::AlignedBox3d box = bounds_of(input.frame);
   if (box.isEmpty()) return;
@@ -68,7 +68,7 @@ void Editor::show_scene(Scene scene, std::filesystem::path path, const Scene* ed
   state_.last_shot.reset();
   history_ = ui::EditHistory(std::move(scene));
   if (edited) {
-    history_.change("Edits not saved", [&](Scene& changed) { changed = *edited; });
+    history_.change("Unsaved edits", [&](Scene& changed) { changed = *edited; });
     history_.finish();
   }
   copied_revision_ = -1;
@@ -137,7 +137,7 @@ void Editor::use_camera(const std::string& name) {
 
 void Editor::look_at(const Eigen::AlignedBox3f& bounds) {
   const render::Camera framed = render::frame_bounds(picture_camera(), bounds, aspect());
-  camera_.position = framed.position;  // the angle of view is widened for the picture alone
+  camera_.position = framed.position;  // the field of view is widened for the picture alone
   camera_.target = framed.target;
 }
 
@@ -169,7 +169,7 @@ Editor::PictureKey Editor::picture_key() const {
 void Editor::draw_picture(std::optional<int> samples) {
   constexpr double kMegabyte = 1 << 20;
   timeline_.limit_memory(static_cast<std::size_t>(state_.preferences.past_memory * kMegabyte));
-  receive_world();  // before the picture, which else would be of another world than the panels
+  receive_world();  // before the picture, which would otherwise show another world than the panels
   frame_for_layout();
   follow_comparison();
   const PictureKey key = picture_key();
@@ -241,7 +241,7 @@ void Editor::place_legend(ui::Legend& legend, const ui::Fonts& fonts) {
 
 void Editor::move_camera() {
   const ui::CameraMotion motion = std::exchange(state_.camera_motion, {});
-  if (motion == ui::CameraMotion{}) return;  // by rounding alone a camera that rests would creep
+  if (motion == ui::CameraMotion{}) return;  // rounding errors alone would move a camera at rest
   camera_ = render::orbit(camera_, motion.yaw, motion.pitch);
   camera_ = render::pan(camera_, motion.pan_right, motion.pan_up);
   camera_ = render::zoom(camera_, motion.zoom);
@@ -255,7 +255,7 @@ void Editor::move_slice(const ui::CameraMotion& motion) {
   SlicePlane& slice = *state_.view.slice;
   const Vec3 normal = slice.normal.normalized();
   const Vec2 along(normal.dot(right), normal.dot(up)), drag(motion.slice_right, motion.slice_up);
-  // A plane that faces the eye has no direction on the screen: up is towards the eye.
+  // A plane that faces the eye has no direction on the screen: up is toward the eye.
   const double fraction = along.squaredNorm() > kFacing ? drag.dot(along) / along.squaredNorm()
                                                         : -normal.dot(sight.normalized()) * drag.y();
   slice.offset += fraction * static_cast<double>(render::height_at_target(camera_));

@@ -15,7 +15,7 @@ namespace griffith::app {
 using ui::CommandId;
 
 void Editor::execute(const ui::Command& command) {
-  if (const std::string_view reason = why_not(command.id); !reason.empty()) return refuse(command.id, reason);
+  if (const std::string_view reason = disabled_reason(command.id); !reason.empty()) return refuse(command.id, reason);
   const bool leaves =
       command.id == CommandId::new_scene || command.id == CommandId::open || command.id == CommandId::quit;
   if (leaves && history_.modified() && !command.discard_edits) {
@@ -57,7 +57,7 @@ void Editor::pause_and_step() {
 
 void Editor::show_error(const InputError& error) {
   state_.running = false;
-  forget_waiting();
+  discard_queued_commands();
   state_.error = ui::ErrorMessage{error.where(), error.problem(), error.remedy()};
   log(ui::LogLevel::error, error.what());
 }
@@ -67,21 +67,21 @@ double Editor::max_tets() const {
   return std::max(kMany, 2.0 * static_cast<double>(world().frame().elements.tets.size()));
 }
 
-void Editor::forget_waiting() {
+void Editor::discard_queued_commands() {
   for (const ui::Command& command : std::exchange(state_.waiting, {}))
     log(ui::LogLevel::warning,
-        std::string(ui::command_info(command.id).label) + " was not done: what it waited for came to nothing.");
+        std::string(ui::command_info(command.id).label) + " was skipped: the work before it failed.");
 }
 
 void Editor::receive_world() {
-  if (state_.cancel_work) forget_waiting();
-  constexpr double kTravelTime = 0.03;  // of a drawn frame [s]
-  go_on_with_travel(kTravelTime);
+  if (state_.cancel_work) discard_queued_commands();
+  constexpr double kTravelTime = 0.03;  // fraction of a drawn frame [s]
+  continue_travel(kTravelTime);
   go_on_with_export();
   go_on_with_holding();
   if (state_.cancel_work) {
     loader_.cancel();
-    give_up_work();
+    end_work();
   }
   if (state_.build_large_mesh) loader_.start_again();
   state_.cancel_work = state_.build_large_mesh = false;
@@ -91,26 +91,25 @@ void Editor::receive_world() {
       if (recorder_) recorder_->skip(macro_moment());
     }
   } catch (const InputError& error) {
-    give_up_work();
+    end_work();
     show_error(error);
   } catch (const LargeMesh& mesh) {
     state_.large_mesh = mesh.tets;
   } catch (const std::bad_alloc&) {
-    give_up_work();
-    show_error(InputError("the scene", "cannot be built: the memory does not suffice",
-                          "take larger elements or fewer bodies"));
+    end_work();
+    show_error(InputError("the scene", "cannot be built: out of memory", "use larger elements or fewer bodies"));
   } catch (const std::runtime_error& error) {
-    give_up_work();
+    end_work();
     show_error(InputError("the scene", std::string("cannot be built: ") + error.what(), ""));
   }
   state_.work = travel_ ? travel_stage() : export_ ? export_->stage() : holding_ ? holding_->stage() : loader_.stage();
 }
 
-void Editor::give_up_work() {
+void Editor::end_work() {
   if (loader_.reason() == LoadReason::follow) {
     go_back_to_built();
   } else {
-    seen_revision_ = -1;  // it may have taken the place of a world that was to follow an edit
+    seen_revision_ = -1;  // it may have replaced a world that was to follow an edit
   }
 }
 
@@ -126,7 +125,7 @@ void Editor::take_world(WorldLoader::Loaded loaded) {
     file_time_ = opened_time_;
     show_scene(std::move(loaded.scene), std::move(loaded.path));
     remember_file();
-    return ask_for_left_edits(false);
+    return offer_recovery(false);
   }
   history_.change("Add body", [&](Scene& scene) { scene.bodies = loaded.scene.bodies; });
   history_.finish();
@@ -143,7 +142,7 @@ Editor::AimedShot Editor::aimed_at(const Vec2& cursor) const {
   const Vec3 direction = ray.direction.cast<double>(), eye = ray.origin.cast<double>();
   const double way = surface_hit(world().frame(), history_.scene().ground, eye, direction)
                          .value_or((camera_.target - camera_.position).norm());
-  // It leaves from beneath the eye, far enough ahead not to cover the picture.
+  // It starts below the eye, far enough ahead not to cover the picture.
   const double ahead = std::min(4 * state_.shot.radius, way / 2);
   const Vec3 muzzle = eye + ahead * direction - 2 * state_.shot.radius * Vec3::UnitY();
   const Vec3 target = eye + way * direction;
@@ -162,7 +161,7 @@ void Editor::fire(const Vec2& cursor) {
   leave_state();
   shot.start = world().frame().time;
   state_.last_shot = shot;
-  if (!state_.running) log(ui::LogLevel::info, "Fired. It flies when the simulation runs: Space.", ui::LogSpan::action);
+  if (!state_.running) log(ui::LogLevel::info, "Fired. Press Space to run the simulation.", ui::LogSpan::action);
 }
 
 void Editor::select(const ui::Selection& selection) {

@@ -98,7 +98,7 @@ void Editor::remove_entries() {
   if (chosen.empty()) return;
   history_.change("Delete", [&](Scene& scene) { ui::remove_entries(scene, chosen); });
   history_.finish();
-  // The next of the kind is chosen; where none is left, nothing, so that Delete never goes over to another kind.
+  // The next entry of the kind is chosen; if none is left, nothing, so that Delete never continues with another kind.
   SceneEntry next = *std::ranges::min_element(chosen);
   next.kind = chosen.back().kind;
   while (next.index > 0 && !ui::has_entry(history_.scene(), next)) --next.index;
@@ -121,7 +121,7 @@ void Editor::begin_renaming() {
   if (!entry || !ui::has_name(entry->kind)) return;
   state_.list_pieces = false;
   state_.body_filter = {};
-  state_.listed_entry.reset();  // it is scrolled to
+  state_.listed_entry.reset();  // scrolls to it
   state_.renamed = entry;
   state_.new_name = ui::entry_name(history_.scene(), *entry);
 }

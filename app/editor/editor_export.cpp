@@ -20,7 +20,7 @@ void Editor::go_on_with_export() {
       log(ui::LogLevel::warning,
           "The export was cancelled: " + (written.empty() ? "nothing was written." : "wrote " + written + " before."));
       export_.reset();
-    } else if (const std::optional<std::string> written = export_->go_on()) {
+    } else if (const std::optional<std::string> written = export_->advance()) {
       log(ui::LogLevel::info, "Wrote " + *written);
       export_.reset();
     }
@@ -29,7 +29,7 @@ void Editor::go_on_with_export() {
     show_error(error);
   } catch (const std::exception& error) {
     export_.reset();
-    show_error(InputError("the export", std::string("did not work: ") + error.what(), ""));
+    show_error(InputError("the export", std::string("failed: ") + error.what(), ""));
   }
 }
 

@@ -25,7 +25,7 @@ void Editor::open(const fs::path& path) {
   try {
     opened_time_ = time_of_file(path);
     loader_.start(LoadReason::open, read_scene(path), path, max_tets());
-    loader_.wait(kPatience);
+    loader_.wait(kBusyIndicatorDelay);
     receive_world();
   } catch (const InputError& error) {
     show_error(error);
@@ -38,17 +38,17 @@ void Editor::ask_where_to_save(fs::path proposed) {
   if (proposed.empty()) proposed = path_.empty() ? file_named(history_.scene().name) : path_;
   state_.save_as = ui::save_target(proposed);
   for (const fs::path& file : scenes_in(state_.save_as->folder))
-    state_.save_as->there.push_back(file.filename().string());
+    state_.save_as->existing.push_back(file.filename().string());
 }
 
 std::string Editor::what_saving_would_lose(const fs::path& file) const {
   if (!is_taken(file)) return {};
   std::error_code error;
-  if (path_.empty() || !fs::equivalent(file, path_, error)) return file.string() + " is there already.";
+  if (path_.empty() || !fs::equivalent(file, path_, error)) return file.string() + " already exists.";
   if (time_of_file(file) == file_time_) return {};
   if (file_time_ == fs::file_time_type::min())
     return file.string() + " may be newer than the edits that were recovered.";
-  return file.string() + " has been changed by another program since it was opened.";
+  return file.string() + " was changed by another program since it was opened.";
 }
 
 void Editor::save(const ui::Command& command) {
@@ -79,12 +79,12 @@ void Editor::quit() {
   wants_to_quit_ = true;
 }
 
-void Editor::keep_edits_safe(const fs::path& states) {
+void Editor::enable_autosave(const fs::path& states) {
   remove_stale_files(states);
   recent_ = RecentFiles(states);
   remember_file();
   autosave_.emplace(states);
-  ask_for_left_edits(true);
+  offer_recovery(true);
 }
 
 void Editor::autosave(double now) {
@@ -103,10 +103,10 @@ void Editor::autosave(double now) {
   }
 }
 
-void Editor::ask_for_left_edits(bool of_any) {
+void Editor::offer_recovery(bool of_any) {
   if (!autosave_) return;
   const bool found = of_any ? autosave_->find_any(own_file()) : autosave_->find(own_file());
-  state_.left_edits = found ? autosave_->found_text() : "";
+  state_.recoverable_edits = found ? autosave_->found_text() : "";
 }
 
 void Editor::remember_file() {
@@ -125,20 +125,20 @@ void Editor::follow_browser() {
 
 void Editor::discard_copy() {
   if (autosave_) autosave_->remove_found();
-  ask_for_left_edits(true);
+  offer_recovery(true);
 }
 
 void Editor::leave_copy() {
-  state_.left_edits.clear();
+  state_.recoverable_edits.clear();
   if (autosave_) autosave_->leave_found();
 }
 
 void Editor::recover() {
-  state_.left_edits.clear();
+  state_.recoverable_edits.clear();
   if (!autosave_ || !autosave_->has_found()) return;
-  LeftEdits edits = autosave_->found_edits();
+  UnsavedEdits edits = autosave_->found_edits();
   loader_.start(LoadReason::recover, std::move(edits.scene), std::move(edits.file), max_tets());
-  loader_.wait(kPatience);
+  loader_.wait(kBusyIndicatorDelay);
   receive_world();
 }
 
@@ -152,7 +152,7 @@ void Editor::show_recovered(Scene scene, const fs::path& file) {
   autosave_->adopt_found();
   file_time_ = fs::file_time_type::min();
   show_scene(std::move(saved), file, &scene);
-  log(ui::LogLevel::info, "Recovered the edits. They are not saved yet: Ctrl+S.");
+  log(ui::LogLevel::info, "Recovered unsaved edits. Ctrl+S saves them.");
 }
 
 }  // namespace griffith::app

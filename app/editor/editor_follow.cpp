@@ -7,7 +7,7 @@
 namespace griffith::app {
 namespace {
 
-/// What a world is built from, materials aside, which it follows while it runs.
+/// Returns the scene without its materials, which a running world follows.
 Scene start_of(Scene scene) {
   scene.name.clear();
   scene.description.clear();
@@ -23,7 +23,7 @@ Scene start_of(Scene scene) {
 
 void Editor::follow() {
   loader_.start(LoadReason::follow, history_.scene(), path_, max_tets());
-  loader_.wait(kPatience);
+  loader_.wait(kBusyIndicatorDelay);
   receive_world();
 }
 
@@ -56,13 +56,13 @@ void Editor::list_problems() {
 
 void Editor::follow_edits() {
   if (history_.revision() == seen_revision_) return;
-  // What is held would else make each step stale, and none would ever end.
+  // An edit in progress would make every step stale, and none would ever finish.
   if (history_.editing() && state_.running && background_.pending()) return;
   const std::int64_t revision = history_.revision();
   follow_materials();
   if (history_.editing()) return;
-  seen_revision_ = revision;  // what an edit was taken back to is looked at next
-  // A body that an undo took away leaves the choice to the one in its place.
+  seen_revision_ = revision;  // the result of undoing an edit is checked next
+  // After an undo that removed a body, another one has its index.
   std::erase_if(state_.entries, [&](const ui::SceneEntry& entry) {
     return entry.kind == ui::EntryKind::body && !ui::has_entry(history_.scene(), entry);
   });
@@ -77,7 +77,7 @@ void Editor::follow_materials() {
   const Frame frame = world().frame();
   if (!std::ranges::equal(bodies, built_.bodies, {}, &BodyDescription::name, &BodyDescription::name) ||
       frame.materials.size() != bodies.size())
-    return;  // they come with the world that is being built
+    return;  // they come with the world being built
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (frame.materials[i] != bodies[i].material && !follow_material(static_cast<int>(i))) return;
     built_.bodies[i].material = bodies[i].material;
@@ -95,7 +95,7 @@ bool Editor::follow_material(int scene_body) {
     const std::span<const Material> in_force = world().frame().materials;
     const bool found = history_.go_to(
         [&](const Scene& scene) { return std::ranges::equal(scene.bodies, in_force, {}, &BodyDescription::material); });
-    if (!found) history_.undo();  // some bodies have taken what one refused
+    if (!found) history_.undo();  // some bodies accepted the material before one refused it
     return false;
   }
 }

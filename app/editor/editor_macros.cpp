@@ -42,10 +42,10 @@ void Editor::toggle_macro_recording() {
   state_.recording_macro = !state_.recording_macro;
   if (state_.recording_macro) {
     recorder_.emplace(macro_moment());
-    return log(ui::LogLevel::info, "What you do now is recorded as a macro, until you stop it.", ui::LogSpan::action);
+    return log(ui::LogLevel::info, "Recording a macro until you stop it.", ui::LogSpan::action);
   }
   recorded_macro_ = recorder_->text(macro_moment());
-  std::error_code error;  // where the folder cannot be made, saving tells
+  std::error_code error;  // if the folder cannot be made, saving reports it
   fs::create_directories(macro_folder_, error);
   recorder_.reset();
   ask_where_to_save_macro({});
@@ -57,7 +57,7 @@ void Editor::ask_where_to_save_macro(fs::path proposed) {
     if (std::ranges::find(macros_, file) == macros_.end()) proposed = file;
   }
   state_.save_as = ui::save_target(proposed, ui::SavedKind::macro);
-  for (const fs::path& macro : macros_) state_.save_as->there.push_back(macro.filename().string());
+  for (const fs::path& macro : macros_) state_.save_as->existing.push_back(macro.filename().string());
 }
 
 void Editor::write_macro(const fs::path& path) {
@@ -89,7 +89,7 @@ void Editor::choose(const std::vector<std::string>& names, const std::string& wh
     const auto found = std::ranges::find_if(
         entries, [&](const ui::SceneEntry& entry) { return ui::full_name(history_.scene(), entry) == name; });
     if (found == entries.end())
-      throw InputError(where, "the scene has no \"" + name + "\"", "take a name that the outliner shows");
+      throw InputError(where, "the scene has no \"" + name + "\"", "use a name in the outliner");
     chosen.push_back(*found);
   }
   ui::choose_entries(state_, history_.scene(), std::move(chosen));

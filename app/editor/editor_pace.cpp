@@ -12,11 +12,10 @@ namespace {
 /// Weight of the newest step in a mean.
 constexpr double kNewest = 0.1;
 
-// How long a window that nothing moves in waits before it draws work that goes on, pictures that come and the text
-// cursor [s].
+// Intervals at which an idle window redraws the progress of work, arriving pictures and the text cursor [s].
 constexpr double kWorkPause = 1.0 / 30, kPicturePause = 0.1, kCursorPause = 0.4;
 
-/// What steps may take of the time of a frame before the rest goes on in the background.
+/// Returns the time of a frame for steps before they continue in the background.
 std::chrono::duration<double> time_for_steps(double elapsed) {
   constexpr double kShortest = 0.004, kLongest = 0.04;  // [s]
   return std::chrono::duration<double>(std::clamp(elapsed / 2, kShortest, kLongest));
@@ -26,7 +25,7 @@ std::chrono::duration<double> time_for_steps(double elapsed) {
 
 void Editor::advance(double elapsed) {
   pictures_drawn_.add(elapsed, 1);
-  time_made_.add(elapsed, std::exchange(made_since_advance_, 0));  // what the last call made is there at its end
+  time_made_.add(elapsed, std::exchange(made_since_advance_, 0));  // the steps of the last call count at its end
   if (!state_.running) state_.steps_left = 0;
   if (state_.running) make_due_steps(elapsed);
 }
@@ -64,9 +63,9 @@ void Editor::make_due_steps(double elapsed) {
 }
 
 void Editor::begin_background_step(bool is_last) {
-  if (history_.editing()) follow_materials();  // a slider that is held acts from step to step
+  if (history_.editing()) follow_materials();  // a slider being dragged acts from step to step
   NextStep next = timeline_.before_step();
-  adopt_materials();  // of a past that is gone through again
+  adopt_materials();  // those of the replayed past
   std::optional<StepPicture> picture;
   if (is_last) picture = StepPicture{picture_settings(), display_, range_};
   background_.begin(std::move(next), std::move(picture), step_start());
@@ -90,7 +89,7 @@ void Editor::step() {
 void Editor::take_step(BackgroundStep::Made made) {
   const std::int64_t step_alone = timeline_.revision() + 1;
   World before = timeline_.take_step(std::move(made.step));
-  if (timeline_.revision() != step_alone) made.picture.reset();  // in the past more was done after it
+  if (timeline_.revision() != step_alone) made.picture.reset();  // in the past more than the step was done
   follow_step(watches() ? std::optional(std::move(before)) : std::nullopt, std::move(made.picture));
 }
 
@@ -107,7 +106,7 @@ void Editor::follow_step(std::optional<World> before, std::optional<StepPicture>
   step_seconds_ = step_seconds_ == 0 ? seconds : step_seconds_ + kNewest * (seconds - step_seconds_);
   if (frame.report.non_finite_values > 0) {
     log(ui::LogLevel::error,
-        "Step " + std::to_string(frame.step) + ": values are not finite or substeps too short, bodies were frozen.");
+        "Step " + std::to_string(frame.step) + ": values not finite or substeps too short; bodies were frozen.");
   }
 }
 

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A proposal for the file of a run.
+/// Proposes a file name for a run.
 fs::path file_of_run(const std::string& scene, ui::SavedKind kind) {
   std::string name = scene.empty() ? "run" : scene;
   std::ranges::replace(name, '/', '-');
@@ -25,8 +25,8 @@ fs::path file_of_run(const std::string& scene, ui::SavedKind kind) {
   return name + (kind == ui::SavedKind::recording ? "" : " report") + ".tar.zst";
 }
 
-/// When the file, its other half (TetGen's), or what is in the folder was written last; the earliest time where there
-/// is none.
+/// Returns the latest modification time of the file, its second file (TetGen's) or the content of the folder; the
+/// earliest time if there is none.
 fs::file_time_type newest_time(const fs::path& path) {
   fs::file_time_type newest = time_of_file(path);
   if (path.extension() == ".node") newest = std::max(newest, time_of_file(fs::path(path).replace_extension(".ele")));
@@ -58,7 +58,7 @@ Recording Editor::recorded_run() const {
     const fs::path file = file_path(scene.folder, *path);
     if (newest_time(file) > built_at_)
       throw InputError(file.string(), "has changed since the run began",
-                       "Reset starts again with the file as it is now; what it was is not known any more");
+                       "Reset restarts with the current file; its earlier content is unknown");
   }
   return record(timeline_);
 }
@@ -67,7 +67,7 @@ void Editor::save_run(const ui::Command& command) {
   const bool is_export = command.id == ui::CommandId::export_run;
   const fs::path old = is_export ? file_in_the_way(command.path, timeline_) : command.path;
   if (!command.replace && is_taken(old)) {
-    state_.replacement = ui::Replacement{command, old.string() + " is there already."};
+    state_.replacement = ui::Replacement{command, old.string() + " already exists."};
     return;
   }
   check_replaceable(command.path);
@@ -130,7 +130,7 @@ void Editor::save_window_picture(const PictureRequest& request, const render::Im
 void Editor::save_plots_picture(const fs::path& path, const render::Image& window) {
   const ui::WidgetTag* plots = ui::find_tag(tags_, "plots/strips");
   if (!plots)
-    throw InputError(path.string(), "cannot be drawn: no series is plotted", "choose some in the plots' list");
+    throw InputError(path.string(), "cannot be drawn: no series is plotted", "select some in the plots' list");
   const auto [left, top] =
       std::pair(std::max(0, static_cast<int>(plots->minimum.x)), std::max(0, static_cast<int>(plots->minimum.y)));
   const int right = std::min(window.width, static_cast<int>(plots->maximum.x));
@@ -144,7 +144,7 @@ void Editor::save_report(const fs::path& path, const render::Image& window, cons
   recording.versions.emplace_back("graphics", graphics);
   add_report(recording, {log_text(state_.log), window});
   write_recording(recording, path);
-  log(ui::LogLevel::info, "Saved the bug report " + path.string() + ": griffith replay makes the run again");
+  log(ui::LogLevel::info, "Saved the bug report " + path.string() + "; griffith replay repeats the run");
 }
 
 }  // namespace griffith::app

@@ -23,7 +23,7 @@ SurfaceShape shape_of(const ui::SurfaceRequest& request) {
   return shape;
 }
 
-/// A body on the ground, beside the others.
+/// Returns a body on the ground beside the others.
 BodyDescription standing_body(const SurfaceShape& shape, const Scene& scene, double free_x, const Monitor& monitor) {
   const Eigen::AlignedBox3d box = bounds(read_surface(shape.path, shape.scale, monitor));
   BodyDescription body;
@@ -34,7 +34,7 @@ BodyDescription standing_body(const SurfaceShape& shape, const Scene& scene, dou
   return body;
 }
 
-/// Makes a file's path start at the scene's folder, where it has one.
+/// Makes a file's path relative to the scene's folder, if it has one.
 void make_relative(BodyDescription& body, const fs::path& folder) {
   if (folder.empty()) return;
   fs::path& path = std::get<SurfaceShape>(body.shape).path;
@@ -48,12 +48,11 @@ std::string formatted(const char* format, auto... values) {
 }
 
 std::vector<std::string> facts_of(const MeshQuality& quality) {
-  return {
-      formatted("%d tetrahedra, %d nodes, %.4g m³", quality.tets, quality.nodes, quality.volume),
-      formatted("edges from %.3g to %.3g m, %.3g m in the mean", quality.shortest_edge, quality.longest_edge,
-                quality.mean_edge),
-      formatted("angles between faces from %.1f° to %.1f°", quality.min_dihedral, quality.max_dihedral),
-      formatted("aspect ratio %.2f in the mean, %.1f at worst", quality.mean_aspect_ratio, quality.worst_aspect_ratio)};
+  return {formatted("%d tetrahedra, %d nodes, %.4g m³", quality.tets, quality.nodes, quality.volume),
+          formatted("edges from %.3g to %.3g m, mean %.3g m", quality.shortest_edge, quality.longest_edge,
+                    quality.mean_edge),
+          formatted("angles between faces from %.1f° to %.1f°", quality.min_dihedral, quality.max_dihedral),
+          formatted("aspect ratio mean %.2f, worst %.1f", quality.mean_aspect_ratio, quality.worst_aspect_ratio)};
 }
 
 }  // namespace

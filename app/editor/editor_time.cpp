@@ -10,7 +10,7 @@ namespace griffith::app {
 using ui::CommandId;
 
 void Editor::carry_out_in_time(const ui::Command& command) {
-  follow_edits();  // what was typed last belongs to the time that is left
+  follow_edits();  // the last edits belong to the time that is left
   if (command.id == CommandId::explain_holding) return explain_holding();
   state_.running = false;
   switch (command.id) {
@@ -48,19 +48,19 @@ void Editor::go_to(int branch, std::int64_t step) {
   history_.finish();
   if (branch != timeline_.branch()) {
     history_of_utilizations_.clear();
-    if (state_.comparison.branch == branch) state_.comparison.branch = timeline_.branch();  // the two change places
+    if (state_.comparison.branch == branch) state_.comparison.branch = timeline_.branch();  // the two branches swap
   }
   const std::int64_t destination = timeline_.approach(branch, step);
   travel_ = {timeline_.step(), destination};
-  go_on_with_travel(kPatience);
+  continue_travel(kBusyIndicatorDelay);
   if (travel_) state_.work = travel_stage();
 }
 
-void Editor::go_on_with_travel(double seconds) {
+void Editor::continue_travel(double seconds) {
   if (!travel_) return;
   if (std::exchange(state_.cancel_work, false)) {
     travel_->last = timeline_.step();
-    log(ui::LogLevel::warning, "Stopped on the way, at step " + std::to_string(travel_->last) + ".");
+    log(ui::LogLevel::warning, "Interrupted at step " + std::to_string(travel_->last) + ".");
   }
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
@@ -71,11 +71,11 @@ void Editor::go_on_with_travel(double seconds) {
 }
 
 std::string Editor::travel_stage() const {
-  return "Making step " + std::to_string(timeline_.step() - travel_->first) + " of " +
-         std::to_string(travel_->last - travel_->first) + " again, on the way to step " + std::to_string(travel_->last);
+  return "Repeating step " + std::to_string(timeline_.step() - travel_->first) + " of " +
+         std::to_string(travel_->last - travel_->first) + ", going to step " + std::to_string(travel_->last);
 }
 
-/// At a time that is not the one after the last.
+/// Updates the editor after a jump in time.
 void Editor::arrive() {
   ++arrivals_;
   leave_state();

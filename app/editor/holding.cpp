@@ -17,7 +17,7 @@ std::string text_of(double factor) {
   return text;
 }
 
-/// What resists opening, times a factor.
+/// Returns the material with its resistance to fracture multiplied by a factor.
 Material stronger(Material material, double factor) {
   material.tensile_strength *= factor;
   material.fracture_toughness *= factor;
@@ -25,7 +25,8 @@ Material stronger(Material material, double factor) {
   return material;
 }
 
-/// Makes a step; whether the body stays whole at the place, whose nodes a change of thickness moves with rounding.
+/// Makes a step. True if the body does not crack at that place; a change of thickness moves its nodes by rounding
+/// errors.
 bool steps_whole(World& world, int scene_body, const Vec3& place, const Monitor& monitor) {
   constexpr double kRounding = 1e-9;
   if (monitor.is_cancelled()) throw Cancelled();
@@ -38,10 +39,10 @@ bool steps_whole(World& world, int scene_body, const Vec3& place, const Monitor&
   });
 }
 
-bool stands(World world, const RunToCrack& run, const Monitor& monitor) {
+bool node_holds(World world, const RunToCrack& run, const Monitor& monitor) {
   std::vector<WorldInput> inputs = run.inputs;
   auto next = inputs.begin();
-  const std::int64_t after = std::llround(kTimeToStand / run.scene.simulation.time_step);
+  const std::int64_t after = std::llround(kTimeToHold / run.scene.simulation.time_step);
   for (std::int64_t step = 0; step <= run.steps + after; ++step) {
     for (; next != inputs.end() && next->step <= step; ++next) apply(world, *next);
     if (!steps_whole(world, run.scene_body, run.place, monitor)) return false;
@@ -54,16 +55,16 @@ bool anything_flies(const RunToCrack& run) {
          std::ranges::any_of(shots_of(run), [](const ProjectileBurst& shot) { return shot.speed > 0; });
 }
 
-/// Builds the scene's world without telling of it.
+/// Builds the scene's world without a progress report.
 World build(const Scene& scene, const Monitor& monitor) { return World(scene, Monitor{{}, monitor.cancelled}); }
 
 std::size_t overlaps_in(const World& world) { return starting_overlaps(world.scene(), world.frame()).size(); }
 
 }  // namespace
 
-HoldingFactor holding_factor(const std::function<bool(double)>& holds, double largest) {
+CriticalFactor critical_factor(const std::function<bool(double)>& holds, double largest) {
   constexpr double kClose = 1.01;
-  HoldingFactor found;
+  CriticalFactor found;
   found.runs = 1;
   found.breaks_at_one = !holds(1);
   while (found.breaks_at_one && !found.found && found.breaks < largest) {
@@ -83,10 +84,10 @@ HoldingFactor holding_factor(const std::function<bool(double)>& holds, double la
   return found;
 }
 
-HoldingFactor strength_that_holds(const World& before, int scene_body, NodeId node, const Monitor& monitor) {
+CriticalFactor critical_strength_factor(const World& before, int scene_body, NodeId node, const Monitor& monitor) {
   const Material material = before.frame().materials[scene_body];
   const Vec3 place = before.frame().nodes.rest_positions[node];
-  return holding_factor([&](double factor) {
+  return critical_factor([&](double factor) {
     monitor.enter(text_of(factor) + " times the strength");
     World world = before;
     world.set_material(scene_body, stronger(material, factor));
@@ -136,30 +137,32 @@ RunToCrack thickened(RunToCrack run, double factor) {
   return run;
 }
 
-bool stands(const RunToCrack& run, const Monitor& monitor) { return stands(build(run.scene, monitor), run, monitor); }
+bool node_holds(const RunToCrack& run, const Monitor& monitor) {
+  return node_holds(build(run.scene, monitor), run, monitor);
+}
 
-std::optional<HoldingFactor> slowness_that_holds(const RunToCrack& run, const Monitor& monitor) {
+std::optional<CriticalFactor> critical_speed_factor(const RunToCrack& run, const Monitor& monitor) {
   if (!anything_flies(run)) return std::nullopt;
-  return holding_factor(
+  return critical_factor(
       [&](double factor) {
         monitor.enter(text_of(1 / factor) + " times the speed");
-        return stands(slowed(run, factor), monitor);
+        return node_holds(slowed(run, factor), monitor);
       },
       kLargestFactor);
 }
 
-std::optional<HoldingFactor> thickness_that_holds(const RunToCrack& run, const Monitor& monitor) {
+std::optional<CriticalFactor> critical_thickness_factor(const RunToCrack& run, const Monitor& monitor) {
   const BodyDescription& body = run.scene.bodies[run.scene_body];
   if (!thickness_of(body.shape)) return std::nullopt;
   const std::size_t overlaps = overlaps_in(build(run.scene, monitor));
-  return holding_factor(
+  return critical_factor(
       [&](double factor) {
         monitor.enter(text_of(factor) + " times the thickness");
         const RunToCrack thicker = thickened(run, factor);
         World world = build(thicker.scene, monitor);
         if (overlaps_in(world) > overlaps)
-          throw InputError("body \"" + body.name + "\"", "would grow into another", "leave room beside it");
-        return stands(std::move(world), thicker, monitor);
+          throw InputError("body \"" + body.name + "\"", "would penetrate another body", "leave space next to it");
+        return node_holds(std::move(world), thicker, monitor);
       },
       kLargestFactor);
 }

@@ -14,20 +14,21 @@ using ui::format_quantity;
 
 std::string times(double factor) { return format_quantity(factor, "", 3) + " times"; }
 
-/// "4.1 MPa instead of 3 MPa"
+/// Compares values: "4.1 MPa instead of 3 MPa".
 std::string instead_of(double now, double factor, const char* unit) {
   return format_quantity(factor * now, unit, 3) + " instead of " + format_quantity(now, unit, 3);
 }
 
-std::string strength_fact(const HoldingFactor& strength, const Material& material) {
-  if (!strength.breaks_at_one) return "Strength: when the step is made again the node stands, so none can be told.";
-  if (!strength.found) return "Strength: in the next step it cracks however strong the material is.";
-  return "Strength: in the next step it stands with " + times(strength.holds) + " the strength, " +
+std::string strength_fact(const CriticalFactor& strength, const Material& material) {
+  if (!strength.breaks_at_one)
+    return "Strength: the node holds when the step is repeated, so there is no critical value.";
+  if (!strength.found) return "Strength: in the next step it cracks at any strength.";
+  return "Strength: in the next step it holds with " + times(strength.holds) + " the strength, " +
          instead_of(material.tensile_strength, strength.holds, "Pa") + " and " +
          instead_of(material.fracture_toughness, strength.holds, "Pa·√m") + ".";
 }
 
-/// The speed of all shots of a run that leave the start at one speed; 0: they differ, or bodies fly too.
+/// Returns the common speed of all shots of a run; 0 if they differ or bodies have initial velocities.
 double common_speed(const RunToCrack& run) {
   const std::vector<ProjectileBurst> shots = shots_of(run);
   const bool equal =
@@ -35,30 +36,31 @@ double common_speed(const RunToCrack& run) {
   return shots.empty() || bodies_fly(run) || !equal ? 0 : shots.front().speed;
 }
 
-std::string speed_fact(const std::optional<HoldingFactor>& slowness, const RunToCrack& run) {
-  if (!slowness) return "Speed: nothing was shot or thrown.";
-  if (!slowness->breaks_at_one) return "Speed: when the run is made again the node stands, so none can be told.";
-  if (!slowness->found) return "Speed: it cracks at " + times(1 / kLargestFactor) + " the speed, too.";
-  const double fraction = 1 / slowness->holds, now = common_speed(run);
-  return "Speed: it stands at " + times(fraction) + " the speed" +
+std::string speed_fact(const std::optional<CriticalFactor>& speed, const RunToCrack& run) {
+  if (!speed) return "Speed: nothing moves at the start.";
+  if (!speed->breaks_at_one) return "Speed: the node holds when the run is repeated, so there is no critical value.";
+  if (!speed->found) return "Speed: it cracks at " + times(1 / kLargestFactor) + " the speed, too.";
+  const double fraction = 1 / speed->holds, now = common_speed(run);
+  return "Speed: it holds at " + times(fraction) + " the speed" +
          (now > 0 ? ", " + instead_of(now, fraction, "m/s") : "") + ".";
 }
 
-std::string thickness_fact(const std::optional<HoldingFactor>& factor, const RunToCrack& run) {
+std::string thickness_fact(const std::optional<CriticalFactor>& factor, const RunToCrack& run) {
   const std::optional<Thickness> now = thickness_of(run.scene.bodies[run.scene_body].shape);
-  if (!now || !factor) return "Thickness: a mesh from a file has none that could be changed.";
-  if (!factor->breaks_at_one) return "Thickness: when the run is made again the node stands, so none can be told.";
+  if (!now || !factor) return "Thickness: a mesh from a file has no thickness to change.";
+  if (!factor->breaks_at_one)
+    return "Thickness: the node holds when the run is repeated, so there is no critical value.";
   if (!factor->found) return "Thickness: it cracks at " + times(kLargestFactor) + " the thickness, too.";
-  return "Thickness: it stands at " + times(factor->holds) + " the thickness, " +
+  return "Thickness: it holds at " + times(factor->holds) + " the thickness, " +
          instead_of(now->length, factor->holds, "m") + ".";
 }
 
-/// How often which of them was tried.
+/// Summarizes the trials.
 std::string effort(const HoldingAnswer& answer) {
-  const int runs = (answer.slowness ? answer.slowness->runs : 0) + (answer.thickness ? answer.thickness->runs : 0);
+  const int runs = (answer.speed ? answer.speed->runs : 0) + (answer.thickness ? answer.thickness->runs : 0);
   return "Tried, each to within 1 %: the step " + std::to_string(answer.strength.runs) +
          " times, the run from its start " + std::to_string(runs) + " times, up to " +
-         format_quantity(kTimeToStand, "s", 2) + " after the crack.";
+         format_quantity(kTimeToHold, "s", 2) + " after the crack.";
 }
 
 }  // namespace
@@ -68,11 +70,11 @@ ui::WorkReport holding_report(const HoldingAnswer& answer, const RunToCrack& run
   report.title = "What would have held node " + std::to_string(run.node.index()) + ":";
   const bool ended_early = answer.cancelled || !answer.problem.empty();
   if (answer.strength.runs > 0) report.facts.push_back(strength_fact(answer.strength, run.material));
-  if (answer.slowness || !ended_early) report.facts.push_back(speed_fact(answer.slowness, run));
+  if (answer.speed || !ended_early) report.facts.push_back(speed_fact(answer.speed, run));
   if (answer.thickness || !ended_early) report.facts.push_back(thickness_fact(answer.thickness, run));
   report.facts.push_back(effort(answer));
-  if (answer.cancelled) report.warnings.push_back("Cancelled before all was tried.");
-  if (!answer.problem.empty()) report.warnings.push_back("No more could be tried: " + answer.problem);
+  if (answer.cancelled) report.warnings.push_back("Cancelled before the search was complete.");
+  if (!answer.problem.empty()) report.warnings.push_back("The search ended early: " + answer.problem);
   return report;
 }
 

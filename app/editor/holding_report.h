@@ -5,8 +5,8 @@
 
 namespace griffith::app {
 
-/// What a search found, in words: for each of strength, speed and thickness from what on the node stands. `material`:
-/// what the node's body is made of.
+/// Describes the result of a search: the critical strength, speed and thickness of the node. `run`: provides the
+/// material of the node's body.
 ui::WorkReport holding_report(const HoldingAnswer& answer, const RunToCrack& run);
 
 }  // namespace griffith::app

@@ -24,12 +24,12 @@ HoldingAnswer HoldingSearch::search(const World& before) {
   const Monitor monitor{[this](std::string_view stage) { enter(stage); }, [this] { return cancelled_.load(); }};
   HoldingAnswer answer;
   try {
-    answer.strength = strength_that_holds(before, run_.scene_body, run_.node, monitor);
-    answer.slowness = slowness_that_holds(run_, monitor);
-    answer.thickness = thickness_that_holds(run_, monitor);
+    answer.strength = critical_strength_factor(before, run_.scene_body, run_.node, monitor);
+    answer.speed = critical_speed_factor(run_, monitor);
+    answer.thickness = critical_thickness_factor(run_, monitor);
   } catch (const Cancelled&) {
     answer.cancelled = true;
-  } catch (const std::exception& error) {  // of its memory, say: the editor goes on
+  } catch (const std::exception& error) {  // such as a lack of memory: the editor continues
     answer.problem = error.what();
   }
   return answer;

@@ -11,26 +11,27 @@
 
 namespace griffith::app {
 
-/// With what a node would have stood that is about to crack.
+/// Changes with which a cracking node would have held.
 struct HoldingAnswer {
-  HoldingFactor strength;                            ///< how many times as strong, for the next step
-  std::optional<HoldingFactor> slowness, thickness;  ///< for the run; none: nothing flies, no thickness, or not tried
-  std::string problem;                               ///< why no more could be tried; empty: none
-  bool cancelled = false;                            ///< before all was tried
+  CriticalFactor strength;  ///< factor on the strength in the next step
+  std::optional<CriticalFactor> speed,
+      thickness;           ///< factors in the run; none: nothing moves, no thickness, or not tried
+  std::string problem;     ///< reason why the search ended early; empty: none
+  bool cancelled = false;  ///< true if it was cancelled early
 };
 
-/// Looks for what would have held a node, on a thread of its own. Destroying it gives up.
+/// Searches the changes that would have held a node, on a thread of its own. The destructor cancels it.
 class HoldingSearch {
  public:
-  /// `timeline`: stands just before the node cracks; it is copied.
+  /// `timeline`: in the state just before the node cracks; it is copied.
   HoldingSearch(const Timeline& timeline, NodeId node);
   ~HoldingSearch() { cancel(); }
 
-  /// Ends the search at its next step: the answer tells what was found by then.
+  /// Ends the search at its next step; the answer contains what was found by then.
   void cancel() { cancelled_ = true; }
-  /// What is being tried: "Trying 0.36 times the speed".
+  /// Describes the current trial: "Trying 0.36 times the speed".
   std::string stage() const;
-  /// The answer, once it is there.
+  /// Returns the answer once it is ready.
   std::optional<HoldingAnswer> take();
 
   const RunToCrack& run() const { return run_; }
@@ -43,7 +44,7 @@ class HoldingSearch {
   std::atomic<bool> cancelled_ = false;
   mutable std::mutex mutex_;
   std::string stage_;                  ///< under `mutex_`
-  std::future<HoldingAnswer> answer_;  ///< ends before what its thread sees
+  std::future<HoldingAnswer> answer_;  ///< ends before the data of its thread
 };
 
 }  // namespace griffith::app

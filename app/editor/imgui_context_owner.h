@@ -6,8 +6,8 @@ struct ImGuiContext;
 
 namespace griffith::app {
 
-/// The user interface's context, drawn with OpenGL. Construct and use it while an OpenGL 3.3 context is current, one at
-/// a time. Reads and writes no settings file.
+/// Owner of the ImGui context, drawn with OpenGL. Construct and use it while an OpenGL 3.3 context is current, one at a
+/// time. Reads and writes no settings file.
 class ImGuiContextOwner {
  public:
   /// `scale`: screen pixels per design pixel.
@@ -18,12 +18,12 @@ class ImGuiContextOwner {
 
   const ui::Fonts& fonts() const { return fonts_; }
 
-  /// Changes the size of everything, between two frames. True where it was another.
+  /// Changes the size of everything, between two frames. True if it was different.
   bool set_scale(float scale);
 
-  /// Begins a frame of that size without a window, no input, a fixed time after the last.
+  /// Begins a frame of that size without a window or input, a fixed time after the last.
   void begin_frame(int width, int height);
-  /// Begins a frame whose size and input somebody else has set.
+  /// Begins a frame whose size and input were set elsewhere.
   void begin_frame();
   /// Ends the frame and draws it into the bound framebuffer.
   void end_frame();

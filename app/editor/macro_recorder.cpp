@@ -13,7 +13,7 @@ namespace {
 
 using ui::CommandId;
 
-/// Time is told by steps, and a macro within a macro by its lines.
+/// Running is recorded as steps, and a macro within a macro as its lines.
 constexpr std::array kNotRecorded = {CommandId::toggle_run,  CommandId::make_steps, CommandId::quit,
                                      CommandId::tour,        CommandId::play_macro, CommandId::save_macro,
                                      CommandId::record_macro};

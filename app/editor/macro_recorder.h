@@ -10,32 +10,32 @@
 
 namespace griffith::app {
 
-/// What of the editor a macro tells apart from commands.
+/// State of the editor that a macro records in addition to commands.
 struct MacroMoment {
-  Scene scene;  ///< with the view as it is shown
+  Scene scene;  ///< with the current view
   ProjectileBurst shot;
   std::vector<std::string> chosen;  ///< full names of entries
   std::int64_t step = 0;
   render::Camera camera;
 };
 
-/// The projectile tool's shot as the one of a scene, by whose fields scripts name its own.
+/// Returns a scene with the shot of the projectile tool, by whose fields scripts name its own.
 Scene scene_of_shot(const ProjectileBurst& shot);
 
-/// Writes a script of what is done in the editor: the commands, and between them what else has changed. What a dialog
-/// asks for is in the commands that carry it out; time that passes becomes steps.
+/// Writes a script of the user's actions: the commands, and between them all other changes. The input of dialogs is in
+/// the commands that follow; running becomes steps.
 class MacroRecorder {
  public:
   explicit MacroRecorder(MacroMoment start) : last_(std::move(start)) {}
 
-  /// Writes down what has changed, but for steps and camera, which stand before the next line.
+  /// Records changes other than steps and camera, which precede the next line.
   void note(const MacroMoment& now);
-  /// What is there now came from a command.
+  /// Marks the current state as the result of a command.
   void skip(MacroMoment now) { last_ = std::move(now); }
-  /// Writes down a command that was carried out; what it did is in `now`.
+  /// Records an executed command; `now` is its result.
   void add(const ui::Command& command, MacroMoment now);
 
-  /// The script. `end`: of what is recorded.
+  /// Returns the script. `end`: state at the end of the recording.
   std::string text(const MacroMoment& end);
 
  private:

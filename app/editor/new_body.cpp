@@ -40,7 +40,7 @@ Kind kind_of(CommandId command) {
   }
 }
 
-/// The box round a body where it is placed [m].
+/// Returns the bounding box of a body in its placement [m].
 Eigen::AlignedBox3d placed_bounds(const BodyDescription& body, const Scene& scene) {
   const Pose pose = pose_of(body);
   Eigen::AlignedBox3d box;
@@ -69,7 +69,7 @@ BodyDescription new_body(CommandId command, const Scene& scene, const Frame& fra
   const Eigen::AlignedBox3d box = placed_bounds(body, scene);
   const double ground = scene.ground ? scene.ground->height : 0;
   const double left = scene.bodies.empty() ? 0 - box.center().x() : free_place(scene, frame, kRoom) - box.min().x();
-  body.position = Vec3(left, ground - box.min().y(), 0 - box.center().z());  // no zero with a sign
+  body.position = Vec3(left, ground - box.min().y(), 0 - box.center().z());  // avoids a negative zero
   return body;
 }
 

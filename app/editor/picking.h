@@ -5,8 +5,8 @@
 
 namespace griffith::app {
 
-/// The corner of a tet that a ray through it points at: the nearest to where the ray enters or, where it passes beside
-/// it (what it carries is drawn elsewhere), the nearest to the ray.
+/// Returns the corner of a tet nearest to the point where a ray enters it. If the ray misses the tet (its splinters may
+/// be drawn elsewhere), the corner nearest to the ray.
 NodeId nearest_corner(const ShownMesh& shown, TetId tet, const render::Ray& ray);
 
 }  // namespace griffith::app

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Takes members from JSON over; those that are not there keep what they are.
+/// Reads members from JSON; absent ones keep their values.
 struct PreferenceReader {
   const Json& json;
   const fs::path& file;
@@ -40,7 +40,7 @@ struct PreferenceReader {
     if (!json.contains(name)) return;
     const bool good = json[name].is_array() && json[name].size() == value.size() &&
                       std::ranges::all_of(json[name], [](const Json& key) { return key.is_string(); });
-    if (!good) fail(name, "write " + std::to_string(value.size()) + " names of series, empty ones where none is");
+    if (!good) fail(name, "write " + std::to_string(value.size()) + " names of series; empty for none");
     value = json[name].get<ui::PlotChoice>();
   }
 };
@@ -51,8 +51,7 @@ ui::Preferences PreferencesFile::read() {
   std::error_code error;
   if (file_.empty() || !fs::exists(file_, error)) return kept_;
   const Json json = Json::parse(read_file(file_), nullptr, false);
-  if (!json.is_object())
-    throw InputError(file_.string(), "holds no preferences", "delete it: the usual ones are taken");
+  if (!json.is_object()) throw InputError(file_.string(), "holds no preferences", "delete it to use the defaults");
   ui::Preferences preferences;
   ui::each_preference(preferences, PreferenceReader{json, file_});
   return kept_ = preferences;
@@ -63,7 +62,7 @@ void PreferencesFile::keep(const ui::Preferences& preferences) {
   kept_ = preferences;
   Json json;
   ui::each_preference(preferences, [&](const char* name, auto value, auto&&...) { json[name] = value; });
-  std::error_code error;  // where the folder cannot be made, writing tells
+  std::error_code error;  // if the folder cannot be made, writing reports it
   fs::create_directories(file_.parent_path(), error);
   replace_file(file_, json.dump(2) + "\n");
 }

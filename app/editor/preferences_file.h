@@ -8,15 +8,15 @@
 
 namespace griffith::app {
 
-/// The file that keeps a user's preferences from one start to the next.
+/// File with a user's preferences.
 class PreferencesFile {
  public:
-  /// `file`: empty where nothing is to be kept.
+  /// `file`: empty to keep nothing.
   explicit PreferencesFile(std::filesystem::path file) : file_(std::move(file)) {}
 
-  /// What the file says; the usual where there is none. Throws InputError where it cannot be understood.
+  /// Returns the preferences in the file; the defaults if there is none. Throws InputError if it cannot be parsed.
   ui::Preferences read();
-  /// Writes them where they differ from what was read or written last. Throws InputError, once for each change.
+  /// Writes preferences that differ from those last read or written. Throws InputError, once for each change.
   void keep(const ui::Preferences& preferences);
 
  private:
@@ -24,7 +24,7 @@ class PreferencesFile {
   ui::Preferences kept_;
 };
 
-/// $XDG_CONFIG_HOME/griffith/preferences.json, or in ~/.config; empty when neither variable is set.
+/// Returns $XDG_CONFIG_HOME/griffith/preferences.json, or the file in ~/.config; empty if neither variable is set.
 std::filesystem::path preferences_path();
 
 }  // namespace griffith::app

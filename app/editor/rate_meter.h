@@ -4,24 +4,24 @@
 
 namespace griffith::app {
 
-/// Rate of something that comes in portions: the mean over the last two seconds or, where a portion takes longer, over
-/// the last one. Knows no clock but what it is told.
+/// Rate of events that come in portions: the mean over the last two seconds or, if a portion takes longer, over the
+/// last one. Uses no clock but the given times.
 class RateMeter {
  public:
-  /// `elapsed` [s] went by, at the end of which `amount` came; 0: nothing did.
+  /// Adds `elapsed` [s], at the end of which `amount` came; 0: none.
   void add(double elapsed, double amount);
-  /// Amount per second; 0 before the first portion. What is on its way counts as if it came now where it is late, so
-  /// that the rate of something that stops goes to 0.
+  /// Returns the amount per second; 0 before the first portion. An overdue portion counts as if it came now, so that
+  /// the rate of something that stops tends to 0.
   double rate() const;
   void reset() { *this = {}; }
 
  private:
   struct Portion {
-    double time = 0;   ///< when it came [s]
+    double time = 0;   ///< time of arrival [s]
     double total = 0;  ///< sum of all amounts up to this one
   };
   double now_ = 0;
-  std::deque<Portion> portions_ = {Portion{}};  ///< the first is where the mean begins
+  std::deque<Portion> portions_ = {Portion{}};  ///< the mean begins at the first
 };
 
 }  // namespace griffith::app

@@ -24,7 +24,7 @@ void RecentFiles::add(const fs::path& file) {
   if (list_.empty()) return;
   std::string text;
   for (const fs::path& recent : files_) text += recent.string() + "\n";
-  std::error_code error;  // where the folder cannot be made, writing tells
+  std::error_code error;  // if the folder cannot be made, writing reports it
   fs::create_directories(list_.parent_path(), error);
   replace_file(list_, text);
 }

@@ -5,16 +5,16 @@
 
 namespace griffith::app {
 
-/// The scenes that a user opened or saved last, newest first, kept in a file from one start to the next.
+/// Recently opened or saved scenes, newest first, kept in a file.
 class RecentFiles {
  public:
   static constexpr std::size_t kMost = 10;
 
-  /// `folder`: the user's folder for states; empty: nothing is kept. What is no longer there is passed by.
+  /// `folder`: the user's state folder; empty to keep nothing. Missing files are skipped.
   explicit RecentFiles(const std::filesystem::path& folder);
 
   const std::vector<std::filesystem::path>& files() const { return files_; }
-  /// Puts a scene on top. `file`: absolute. Throws InputError where the list cannot be written.
+  /// Puts a scene on top. `file`: absolute. Throws InputError if the list cannot be written.
   void add(const std::filesystem::path& file);
 
  private:

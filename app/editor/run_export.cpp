@@ -27,7 +27,7 @@ std::string of_steps(const char* doing, std::int64_t step, const Timeline& timel
   return std::string(doing) + " step " + std::to_string(step) + " of " + std::to_string(timeline.last_step());
 }
 
-/// "wall.png" as "wall_0012.png".
+/// Numbers a path: "wall.png" becomes "wall_0012.png".
 fs::path numbered(const fs::path& path, std::int64_t step) {
   std::array<char, 24> number;
   std::snprintf(number.data(), number.size(), "_%04lld.png", static_cast<long long>(step));
@@ -38,13 +38,13 @@ std::string written_text(const fs::path& path, std::size_t frames) {
   return path.string() + ": " + std::to_string(frames) + (frames == 1 ? " frame" : " frames");
 }
 
-/// What both threads of a BakeExport see.
+/// Data shared by both threads of a BakeExport.
 struct BakeProgress {
   std::atomic<std::int64_t> step = 0;
   std::atomic<bool> cancelled = false;
 };
 
-/// Makes all steps again and bakes them, on a thread of its own.
+/// Recomputes and bakes all steps, on a thread of its own.
 std::string bake_and_write(Timeline timeline, const fs::path& path, BakeProgress& progress) {
   const Scene scene = timeline.world().scene();
   timeline.go_to(timeline.first_step());
@@ -69,7 +69,7 @@ class BakeExport : public RunExport {
   }
   ~BakeExport() override { progress_.cancelled = true; }
 
-  std::optional<std::string> go_on() override {
+  std::optional<std::string> advance() override {
     if (result_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
     return result_.get();
   }
@@ -88,10 +88,10 @@ class BakeExport : public RunExport {
  private:
   std::int64_t last_step_;
   BakeProgress progress_;
-  std::future<std::string> result_;  ///< ends before what its thread sees
+  std::future<std::string> result_;  ///< ends before the data of its thread
 };
 
-/// Draws a step each time that it goes on.
+/// Draws one step in each call of advance().
 class PictureExport : public RunExport {
  public:
   PictureExport(fs::path path, const Timeline& timeline, const EmbeddedDisplay& display, ExportedView view)
@@ -103,7 +103,7 @@ class PictureExport : public RunExport {
     if (is_video_path(path_)) video_.emplace(path_, view_.width, view_.height, rate);
   }
 
-  std::optional<std::string> go_on() override {
+  std::optional<std::string> advance() override {
     if (next_ <= timeline_.last_step()) {
       timeline_.go_to(next_);
       write(picture());

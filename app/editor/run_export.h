@@ -11,22 +11,21 @@
 
 namespace griffith::app {
 
-/// The recorded past of a branch on its way into a file, a little further in each drawn frame. Ends unfinished when it
-/// is destroyed before.
+/// Export of the recorded past of a branch, which advances a little in each drawn frame. The destructor cancels it.
 class RunExport {
  public:
   virtual ~RunExport() = default;
 
-  /// Goes on; what was written, once all is, as "pane.glb: 60 frames". Throws InputError, or std::runtime_error, when
+  /// Continues. Returns the result when finished, as "pane.glb: 60 frames". Throws InputError or std::runtime_error if
   /// it cannot be written.
-  virtual std::optional<std::string> go_on() = 0;
-  /// What is being done: "Drawing step 12 of 60".
+  virtual std::optional<std::string> advance() = 0;
+  /// Describes the progress: "Drawing step 12 of 60".
   virtual std::string stage() const = 0;
-  /// Gives up, and tells what was written all the same, as go_on() does; empty: nothing.
+  /// Cancels. Returns the completed part in the form of advance(); empty: nothing.
   virtual std::string cancel() = 0;
 };
 
-/// How pictures of a run show it.
+/// View of the pictures of a run.
 struct ExportedView {
   render::Camera camera;
   ViewSettings view;
@@ -34,15 +33,15 @@ struct ExportedView {
   int width = 1280, height = 720;  ///< [pixels]
 };
 
-/// Throws InputError unless the file's suffix names what start_export() writes, in a place where it can be written.
+/// Throws InputError unless the file's extension names a format of start_export() and the file can be written.
 void check_export(const std::filesystem::path& path);
 
-/// The first of the files to be written that is there already, else `path`.
+/// Returns the first existing file that would be overwritten, else `path`.
 std::filesystem::path file_in_the_way(const std::filesystem::path& path, const Timeline& timeline);
 
-/// Writes all steps of the branch that the timeline is in: for other programs as export_bake(), as a video of the view,
-/// or, where the file ends in .png, as numbered pictures of it. `display`: of the timeline's world. Needs a current
-/// OpenGL context for pictures. Throws as check_export().
+/// Begins to write all steps of the timeline's branch: for other programs as export_bake(), as a video of the view, or
+/// as numbered pictures if the file ends in .png. `display`: of the timeline's world. Needs a current OpenGL context
+/// for pictures. Throws as check_export().
 std::unique_ptr<RunExport> start_export(const std::filesystem::path& path, const Timeline& timeline,
                                         const EmbeddedDisplay& display, const ExportedView& view);
 

@@ -20,21 +20,22 @@ constexpr FrameNumber kFrameNumbers[] = {
     {"cracks", "Cracks", "", [](const Frame& frame) -> double { return frame.report.cracks; }},
     {"crack_area", "Crack area", "m²", [](const Frame& frame) { return frame.energy.crack_area; }},
     {"peak_utilization", "Highest utilization", "-", [](const Frame& frame) { return frame.report.peak_utilization; }},
-    {ui::kNodeUtilization, "Utilization of the node", "-",  // which the history of utilizations knows
+    {ui::kNodeUtilization, "Utilization of the node", "-",  // known in the utilization history
      [](const Frame&) { return std::numeric_limits<double>::quiet_NaN(); }},
     {"milliseconds", "Time taken", "ms", [](const Frame& frame) { return frame.report.milliseconds.step; }},
     {"milliseconds.contact", "Time of contact", "ms",
      [](const Frame& frame) { return frame.report.milliseconds.contact; }},
     {"milliseconds.elasticity", "Time of elasticity", "ms",
      [](const Frame& frame) { return frame.report.milliseconds.elasticity; }},
-    {"milliseconds.shock", "Time of shock", "ms", [](const Frame& frame) { return frame.report.milliseconds.shock; }},
+    {"milliseconds.shock", "Time of explicit dynamics", "ms",
+     [](const Frame& frame) { return frame.report.milliseconds.shock; }},
     {"milliseconds.separation", "Time of separation", "ms",
      [](const Frame& frame) { return frame.report.milliseconds.separation; }},
     {"milliseconds.fracture", "Time of fracture", "ms",
      [](const Frame& frame) { return frame.report.milliseconds.fracture; }},
 };
 
-/// "tip.velocity.x [m/s]", a column of the table of probes, as a series.
+/// Makes a series of a column of the probe table: "tip.velocity.x [m/s]".
 ui::RunSeries probe_series(const std::string& column) {
   const std::size_t bracket = column.rfind(" [");
   const std::string name = column.substr(0, bracket);
@@ -54,7 +55,7 @@ std::vector<ui::RunSeries> series_of(const Frame& frame) {
   return series;
 }
 
-/// In the order of series_of().
+/// Returns the values in the order of series_of().
 std::vector<double> values_in(const Frame& frame) {
   std::vector<double> values;
   for (const FrameNumber& number : kFrameNumbers) values.push_back(number.value(frame));
@@ -67,13 +68,13 @@ std::vector<double> values_in(const Frame& frame) {
   return values;
 }
 
-/// A branch that leads to another, and the last of its steps on that way.
+/// A branch on the path to another, with its last step on that path.
 struct Stretch {
   int branch = 0;
   std::int64_t last_step = 0;
 };
 
-/// The oldest ancestor first, the branch itself last.
+/// Returns the path from the oldest ancestor to the branch itself.
 std::vector<Stretch> way_to(std::span<const Branch> branches, int branch) {
   std::vector<Stretch> way;
   for (std::int64_t last = branches[branch].last_step; branch >= 0; branch = branches[branch].parent) {
@@ -84,7 +85,7 @@ std::vector<Stretch> way_to(std::span<const Branch> branches, int branch) {
   return way;
 }
 
-/// The branch in which a step on the way to the end of another was made.
+/// Returns the branch in which a step on the path to another branch was made.
 int maker_of(std::span<const Branch> branches, int branch, std::int64_t step) {
   while (branches[branch].parent >= 0 && step <= branches[branch].first_step) branch = branches[branch].parent;
   return branch;

@@ -9,22 +9,21 @@
 
 namespace griffith::app {
 
-/// What can be told in a number of every step, branch by branch: energies, counters, milliseconds, probes. A step keeps
-/// the values that it had when it was made first. Holds as many steps as fit into `max_values` numbers of eight bytes
-/// (64 MB, some 170,000 steps without probes); beyond that the earliest ones of the branch that has the most are
-/// dropped.
+/// Values of every step by branch: energies, counters, milliseconds, probes. A step keeps the values of its first
+/// computation. Holds `max_values` numbers of eight bytes (64 MB, some 170,000 steps without probes); beyond that, the
+/// earliest steps of the longest branch are dropped.
 class RunHistory {
  public:
   explicit RunHistory(std::size_t max_values = 8'000'000) : max_values_(max_values) {}
 
-  /// Forgets everything; from now on the world of `frame` is recorded.
+  /// Clears everything and records the world of `frame` from now on.
   void restart(const Frame& frame);
-  /// Takes over the step at which the timeline is, unless it is known.
+  /// Records the timeline's current step, unless it is known.
   void record(const Timeline& timeline);
 
-  /// All series, in the order in which lists show them.
+  /// Returns all series in the order of lists.
   std::span<const ui::RunSeries> series() const { return series_; }
-  /// The chosen ones on the way to the end of the timeline's branch.
+  /// Returns the chosen series up to the end of the timeline's branch.
   ui::RunCurves curves(const Timeline& timeline, const ui::PlotChoice& chosen) const;
 
  private:
@@ -37,7 +36,7 @@ class RunHistory {
 
   std::size_t max_values_, values_ = 0;
   std::vector<ui::RunSeries> series_;
-  std::vector<std::deque<Row>> branches_;  ///< by their numbers: steps after the branch's first, of branch 0 that too
+  std::vector<std::deque<Row>> branches_;  ///< by branch: steps after the branch's first one; branch 0 includes it
 };
 
 }  // namespace griffith::app

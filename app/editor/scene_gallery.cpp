@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is larger holds no scene that someone would look for.
-constexpr std::int64_t kMostBytes = 64 << 20;
+/// Larger files are not scenes that a user would look for.
+constexpr std::int64_t kMaxBytes = 64 << 20;
 
 std::string topic_of(const Scene& scene) {
   if (scene.analysis == Analysis::equilibrium) return "In equilibrium";
@@ -23,19 +23,19 @@ std::string topic_of(const Scene& scene) {
   if (std::ranges::any_of(scene.bodies, splinters)) return "Splinters";
   const auto held = [](const BodyDescription& body) { return !body.supports.empty(); };
   if (!scene.projectiles.empty())
-    return std::ranges::any_of(scene.bodies, held) ? "Struck while held" : "Struck while loose";
+    return std::ranges::any_of(scene.bodies, held) ? "Impact on supported bodies" : "Impact on loose bodies";
   const auto loaded = [](const BodyDescription& body) { return !body.loads.empty(); };
-  return std::ranges::any_of(scene.bodies, loaded) ? "Loaded" : "Under their own weight";
+  return std::ranges::any_of(scene.bodies, loaded) ? "Loaded" : "Own weight";
 }
 
 }  // namespace
 
 ui::SceneCard scene_card(const fs::path& file) {
   try {
-    const Scene scene = scene_from_json_alone(read_file(file, kMostBytes), file.string());
+    const Scene scene = scene_from_json_alone(read_file(file, kMaxBytes), file.string());
     return {file, scene.name, topic_of(scene), scene.description};
   } catch (const InputError& error) {
-    return {file, file.stem().string(), "No scenes", error.where() + ": " + error.problem(), false};
+    return {file, file.stem().string(), "Not a scene", error.where() + ": " + error.problem(), false};
   }
 }
 

@@ -10,16 +10,16 @@
 
 namespace griffith::app {
 
-/// What a scene file tells of itself, without a thumbnail. Topics follow from what the scene holds.
+/// Returns the card of a scene file without a thumbnail. Topics follow from its content.
 ui::SceneCard scene_card(const std::filesystem::path& file);
 
-/// The scenes that the browser shows, with thumbnails as they come. Needs a current OpenGL context from construction to
+/// Scenes in the browser, with thumbnails as they arrive. Needs a current OpenGL context from construction to
 /// destruction.
 class SceneGallery {
  public:
   SceneGallery(const std::vector<std::filesystem::path>& files, const ThumbnailSource& source);
 
-  /// To be called before each frame: takes over the thumbnails that have come.
+  /// Takes over newly arrived thumbnails; call it before each frame.
   void follow();
   /// True once all thumbnails have arrived.
   bool done() const { return maker_.done(); }

@@ -17,10 +17,10 @@ namespace {
 
 constexpr int kMaxCount = 1'000'000;
 
-/// The words of a line, read one after another.
+/// Reads the words of a line one by one.
 class Words {
  public:
-  /// Parts `line` at blanks; what stands in "quotes" is one word. A # begins a comment.
+  /// Splits `line` at blanks; a text in "quotes" is one word. A # begins a comment.
   Words(std::string_view line, std::string place) : place_(std::move(place)) {
     for (std::size_t i = 0; i < line.size();) {
       if (line[i] == '#') break;
@@ -40,9 +40,9 @@ class Words {
   std::size_t left() const { return words_.size() - next_; }
   const std::string& place() const { return place_; }
 
-  /// The next word. `meaning`: what it should be, as "a tag".
+  /// Returns the next word. `meaning`: its expected meaning, as "a tag".
   std::string take(const std::string& meaning) {
-    if (empty()) fail("lacks " + meaning, "write it at the end of the line");
+    if (empty()) fail("lacks " + meaning, "add it at the end of the line");
     return words_[next_++];
   }
 
@@ -60,7 +60,7 @@ class Words {
   }
 
   void end() const {
-    if (!empty()) fail("has \"" + words_[next_] + "\" at its end, which means nothing there", "put text in \"quotes\"");
+    if (!empty()) fail("has \"" + words_[next_] + "\" at its end, which is not expected", "put text in \"quotes\"");
   }
 
   [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const {
@@ -68,14 +68,14 @@ class Words {
   }
 
  private:
-  /// The text from the quote at `i` to its end; `i` moves behind that.
+  /// Returns the text from the quote at `i` to its end; `i` moves past it.
   std::string quoted(std::string_view line, std::size_t& i) const {
     std::string text;
     for (++i; i < line.size() && line[i] != '"'; ++i) {
       if (line[i] == '\\' && i + 1 < line.size()) ++i;
       text += line[i];
     }
-    if (i >= line.size()) fail("has a quote without an end", "close it by \"");
+    if (i >= line.size()) fail("has an unterminated quote", "close it with \"");
     ++i;
     return text;
   }
@@ -101,26 +101,25 @@ void read_argument(Words& words, ui::CommandArgument argument, ui::Command& comm
       command.step = words.take_number<std::int64_t>("the step", 0, kMaxCount);
       return;
     case ui::CommandArgument::cursor:
-      command.cursor.x() = words.take_number("the place across the view", 0.0, 1.0);
-      command.cursor.y() = words.take_number("the place down the view", 0.0, 1.0);
+      command.cursor.x() = words.take_number("the horizontal position in the view", 0.0, 1.0);
+      command.cursor.y() = words.take_number("the vertical position in the view", 0.0, 1.0);
   }
 }
 
 void read_command(Words& words, ScriptLine& line) {
   const std::string name = words.take("a command");
   const ui::CommandInfo* info = ui::find_command(name);
-  if (!info)
-    words.fail("names no command: \"" + name + "\"", "the palette (Ctrl+P) and docs/scripts.md have their names");
+  if (!info) words.fail("names no command: \"" + name + "\"", "see the palette (Ctrl+P) or docs/scripts.md");
   line.command.id = info->id;
-  const bool needed = info->menu == ui::Menu::none && !info->with_path;  // others ask for what they lack
+  const bool needed = info->menu == ui::Menu::none && !info->with_path;  // the others ask for a missing argument
   if (!needed && words.empty()) return;
   if (info->argument == ui::CommandArgument::none && !words.empty())
-    words.fail("has \"" + words.take("") + "\" behind " + name + ", which takes no argument", "leave it out");
+    words.fail("has \"" + words.take("") + "\" after " + name + ", which takes no argument", "leave it out");
   line.command.id = info->with_path.value_or(info->id);
   read_argument(words, info->argument, line.command);
 }
 
-/// Pairs of a pointer, with `before` in front of it, and a value.
+/// Reads pairs of a pointer, prefixed with `before`, and a value.
 void read_settings(Words& words, ScriptLine& line, const std::string& before) {
   do {
     const std::string pointer = scene_pointer(words.take("a field"), words.place());
@@ -140,7 +139,7 @@ void read_look(Words& words, ScriptLine& line) {
   constexpr double kFarthest = 1e6;
   for (Vec3* place : {&line.eye, &line.target})
     for (double& coordinate : *place) coordinate = words.take_number("a coordinate", -kFarthest, kFarthest);
-  if (line.eye == line.target) words.fail("looks from where it looks at", "move the eye away from the target");
+  if (line.eye == line.target) words.fail("has the eye at the target", "move the eye away from the target");
 }
 
 void read_click(Words& words, ScriptLine& line) {
@@ -155,8 +154,8 @@ void read_click(Words& words, ScriptLine& line) {
 
 void read_drag(Words& words, ScriptLine& line) {
   line.tag = words.take("the tag of a widget");
-  line.right = words.take_number("the way to the right", -kMaxDrag, kMaxDrag);
-  line.down = words.take_number("the way down", -kMaxDrag, kMaxDrag);
+  line.right = words.take_number("the distance to the right", -kMaxDrag, kMaxDrag);
+  line.down = words.take_number("the distance down", -kMaxDrag, kMaxDrag);
 }
 
 void read_scroll(Words& words, ScriptLine& line) {
@@ -172,7 +171,7 @@ void read_type(Words& words, ScriptLine& line) {
 void read_key(Words& words, ScriptLine& line) {
   const std::string name = words.take("a key");
   const std::optional<ui::Shortcut> key = ui::shortcut_from_text(name);
-  if (!key) words.fail("names no key: \"" + name + "\"", "write it as Ctrl+Shift+Z, Space, F1 or Enter");
+  if (!key) words.fail("is not a key: \"" + name + "\"", "write it as Ctrl+Shift+Z, Space, F1 or Enter");
   line.key = *key;
 }
 
@@ -194,7 +193,7 @@ void read_say(Words& words, ScriptLine& line) {
 void read_file_name(Words& words, ScriptLine& line) {
   line.text = words.take("a file");
   if (std::filesystem::path(line.text).extension() != ".png")
-    words.fail("has \"" + line.text + "\", no name of a PNG file", "end it in .png");
+    words.fail("has \"" + line.text + "\", not the name of a PNG file", "use the extension .png");
 }
 
 struct VerbInfo {
@@ -202,7 +201,7 @@ struct VerbInfo {
   void (*read)(Words& words, ScriptLine& line);
 };
 
-/// In the order of Verb.
+/// By Verb.
 constexpr std::array<VerbInfo, 15> kVerbs = {{{"command", read_command},
                                               {"set", read_set},
                                               {"projectile", read_projectile},
@@ -225,7 +224,7 @@ ScriptLine parse_line(Words words) {
   if (found == kVerbs.end()) {
     std::string names;
     for (const VerbInfo& info : kVerbs) names.append(names.empty() ? "" : ", ").append(info.name);
-    words.fail("begins with \"" + verb + "\", no verb of scripts", "they are " + names);
+    words.fail("begins with \"" + verb + "\", which is not a verb", "the verbs are " + names);
   }
   ScriptLine line;
   line.place = words.place();
@@ -270,7 +269,7 @@ std::string script_line(const ui::Command& command) {
     case ui::CommandArgument::none:
       break;
     case ui::CommandArgument::path:
-      // Given the file for which a dialog would ask, a command would need none.
+      // With the file for which its dialog would ask, a command needs no dialog.
       if (!command.path.empty() && !info.with_path) line << " " << script_word(command.path.string());
       break;
     case ui::CommandArgument::step:

@@ -10,36 +10,36 @@
 namespace griffith::app {
 namespace {
 
-/// Frames that a line takes at least: dialogs need some to find their place.
+/// Least number of frames for a line: dialogs need some to find their place.
 constexpr int kFramesToSettle = 4;
 
 ui::WidgetTag widget(const ScriptLine& line, const Editor& editor) {
   const ui::WidgetTag* found = ui::find_tag(editor.tags(), line.tag);
   if (!found)
-    throw InputError(line.place, "there is no widget \"" + line.tag + "\" to be seen",
-                     "open the menu, list or section that it is in");
+    throw InputError(line.place, "there is no widget \"" + line.tag + "\" visible",
+                     "open the menu, list or section that contains it");
   return *found;
 }
 
-/// Where the mouse goes on a widget.
+/// Returns the point of a widget that the mouse uses.
 ImVec2 place_on(const ScriptLine& line, const Editor& editor) {
   const ImVec2 place = widget(line, editor).center(), size = ImGui::GetIO().DisplaySize;
   if (place.x < 0 || place.y < 0 || place.x >= size.x || place.y >= size.y)
     throw InputError(line.place, "the widget \"" + line.tag + "\" is not in the window",
-                     "scroll to it, fold what is above it, or take a larger window");
+                     "scroll to it, fold sections above it, or use a larger window");
   return place;
 }
 
 void expect(const ScriptLine& line, const Editor& editor) {
   const ui::WidgetTag shown = widget(line, editor);
   if (!line.any_value && shown.value != line.text)
-    throw InputError(line.place, line.tag + " shows \"" + shown.value + "\" and not \"" + line.text + "\"", "");
+    throw InputError(line.place, line.tag + " shows \"" + shown.value + "\" instead of \"" + line.text + "\"", "");
 }
 
 void carry_out(const ScriptLine& line, Editor& editor) {
-  const std::string_view reason = editor.why_not(line.command.id);
+  const std::string_view reason = editor.disabled_reason(line.command.id);
   if (!reason.empty())
-    throw InputError(line.place, std::string(ui::command_info(line.command.id).name) + " makes no sense now",
+    throw InputError(line.place, std::string(ui::command_info(line.command.id).name) + " is disabled",
                      std::string(reason));
   editor.execute(line.command);
 }
@@ -61,7 +61,7 @@ void ScriptPlayer::insert(const Script& called, const std::string& place) {
   constexpr int kMostMacros = 1000;
   if (script_.size() + called.size() > kMostLines || ++macros_played_ > kMostMacros)
     throw InputError(place, "makes more than 100,000 lines or plays more than 1,000 macros",
-                     "let no macro play itself");
+                     "a macro must not play itself");
   script_.insert(script_.begin() + static_cast<std::ptrdiff_t>(next_), called.begin(), called.end());
 }
 

@@ -20,7 +20,8 @@ std::optional<double> surface_hit(const Frame& frame, const std::optional<Ground
 }
 
 ProjectileBurst aimed_shot(ProjectileBurst shot, const Vec3& muzzle, const Vec3& target, const Vec3& gravity) {
-  // target − muzzle = v t + g t²/2 with |v| = speed is a quadratic equation in t²; its smaller root is the flat arc.
+  // Solve target − muzzle = v t + g t²/2 with |v| = speed, a quadratic equation in t²; its smaller root is the flat
+  // arc.
   const Vec3 way = target - muzzle;
   const double b = way.dot(gravity) + shot.speed * shot.speed;
   const double discriminant = b * b - gravity.squaredNorm() * way.squaredNorm();

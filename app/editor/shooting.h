@@ -8,16 +8,16 @@
 
 namespace griffith::app {
 
-/// How far along origin + t · direction the frame's surface or the ground is hit first [in lengths of `direction`].
+/// Returns the parameter t of the first intersection of origin + t · direction with the frame's surface or the ground.
 std::optional<double> surface_hit(const Frame& frame, const std::optional<Ground>& ground, const Vec3& origin,
                                   const Vec3& direction);
 
-/// `shot` placed at `muzzle` and aimed so that it flies through `target` under `gravity` [m/s²] on the flatter of the
-/// two arcs; straight at it when that is out of reach.
+/// Returns `shot` placed at `muzzle` and aimed so that it passes through `target` under `gravity` [m/s²] on the flatter
+/// of the two arcs; straight at it if it is out of range.
 ProjectileBurst aimed_shot(ProjectileBurst shot, const Vec3& muzzle, const Vec3& target, const Vec3& gravity);
 
-/// The flight of the shot's centre under `gravity` [m/s²] until it meets the frame's surface or the ground, as bodies
-/// stand now; followed half as far again as the way to `target` at most.
+/// Returns the path of the shot's center under `gravity` [m/s²] to its first intersection with the frame's surface or
+/// the ground in their current state; at most half as far again as the distance to `target`.
 ui::Aim flight_of(const ProjectileBurst& shot, const Vec3& target, const Vec3& gravity, const Frame& frame,
                   const std::optional<Ground>& ground);
 

@@ -4,7 +4,7 @@
 
 namespace griffith::app {
 
-/// What the editor shows when no scene is named: a brick wall on the ground, waiting to be shot at.
+/// Returns the default scene: a brick wall on the ground.
 Scene starting_scene();
 
 }  // namespace griffith::app

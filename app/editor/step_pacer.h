@@ -2,21 +2,21 @@
 
 namespace griffith::app {
 
-/// Decides how many time steps to make before the next picture, so that simulated time follows real time. Only the
-/// number of steps per picture depends on the clock, never what a step computes.
+/// Determines the number of time steps before the next picture, so that simulated time follows real time. Only the
+/// number of steps per picture depends on the clock, never their results.
 class StepPacer {
  public:
-  /// Steps due after `elapsed` [s] of real time at `speed` simulated seconds per second. At most as many as fit in the
-  /// time between two smooth pictures, given that one takes `step_cost` [s], but at least one when one is due.
+  /// Returns the number of steps due after `elapsed` [s] of real time at `speed` simulated seconds per second. At most
+  /// as many as fit between two smooth pictures if one takes `step_cost` [s], but at least one if one is due.
   int steps_due(double elapsed, double speed, double time_step, double step_cost);
 
-  /// After `elapsed` [s] of real time in which a step was on its way and no other could be made.
+  /// Accounts for `elapsed` [s] of real time in which a step was in progress and no other could be made.
   void wait(double elapsed, double speed, double time_step);
 
-  /// Whether steps had to be dropped lately.
+  /// True if steps were dropped recently.
   bool falling_behind() const { return shortage_ > 0.1; }
 
-  /// Forgets the past: after a pause or a new scene.
+  /// Resets the pacer after a pause or for a new scene.
   void reset() { *this = {}; }
 
  private:

@@ -5,23 +5,23 @@
 
 namespace griffith::app {
 
-/// What a picture shows of a frame: equal ones, equal pictures of it.
+/// Settings of a picture; equal settings give equal pictures of a frame.
 struct PictureSettings {
-  Scene scene;  ///< what the world was built from, with the materials that it has now
+  Scene scene;  ///< scene from which the world was built, with its current materials
   ViewSettings view;
   ui::Selection selection;
   HiddenBodies hidden;
   bool operator==(const PictureSettings&) const = default;
 };
 
-/// A picture that is made of the next step, on any thread: a value that knows all but that step.
+/// A picture of the next step, to be made on any thread: a value that contains everything but that step.
 struct StepPicture {
   PictureSettings settings;
-  CopyOnWrite<EmbeddedDisplay> display;  ///< as the steps before have left it
-  SteadyRange range;                     ///< the same
+  CopyOnWrite<EmbeddedDisplay> display;  ///< state after the previous steps
+  SteadyRange range;                     ///< state after the previous steps
   render::DrawScene drawn = {};
 
-  /// Draws the step; settings, display and range follow it.
+  /// Draws the step and updates settings, display and range.
   void draw(const Frame& frame) {
     settings.selection = ui::follow(settings.selection, frame);
     drawn = draw_next_step(frame, display, range, settings.scene, settings.view, settings.selection, settings.hidden);

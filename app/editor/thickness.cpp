@@ -21,7 +21,7 @@ std::optional<Thickness> extent(const NotchedBeamShape& beam) { return Thickness
 std::optional<Thickness> extent(const MeshFileShape&) { return std::nullopt; }
 std::optional<Thickness> extent(const SurfaceShape&) { return std::nullopt; }
 
-// Cells grow with the shape, so that there are as many. `scale`: along the axes of the shape.
+// Cells scale with the shape, so that their number stays the same. `scale`: along the axes of the shape.
 void stretch(BoxShape& box, const Vec3& scale) {
   box.size = box.size.cwiseProduct(scale);
   box.element_size = box.element_size.cwiseProduct(scale);
@@ -61,14 +61,14 @@ void stretch(HalfSpaceRegion& half, const Vec3& scale) {
 }
 void stretch(NodeListRegion&, const Vec3&) {}
 
-/// What a factor of thickness does to a body.
+/// Effect of a factor of thickness on a body.
 struct Stretch {
   Vec3 scale = Vec3::Ones();  ///< along the axes of the shape
-  Vec3 shift = Vec3::Zero();  ///< of its origin [m]
+  Vec3 shift = Vec3::Zero();  ///< displacement of its origin [m]
 };
 
 Stretch stretch_by(const BodyDescription& body, double factor, const Vec3& gravity) {
-  constexpr double kLies = 0.5;  // cosine of the angle between thickness and plumb line
+  constexpr double kLies = 0.5;  // cosine of the angle between thickness and vertical direction
   const std::optional<Thickness> thickness = thickness_of(body.shape);
   if (!thickness) return {};
   Stretch stretch{Vec3::Ones() + (factor - 1) * thickness->directions};

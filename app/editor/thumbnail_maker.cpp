@@ -21,9 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Changes whenever thumbnails of a version are to be drawn anew.
+/// Changes whenever thumbnails of this version must be redrawn.
 constexpr char kThumbnailFormat[] = "griffith thumbnail 2 " GRIFFITH_VERSION "\n";
-/// Memory is all but unlimited: drivers reserve far more addresses than they use.
+/// Memory is practically unlimited: drivers reserve far more address space than they use.
 constexpr ProcessLimits kThumbnailLimits = {.seconds = 120, .memory_bytes = std::int64_t{1} << 40};
 
 /// Reads the picture in a file. Returns nothing if the file is missing or holds no picture.
@@ -34,7 +34,7 @@ std::optional<render::Image> kept_thumbnail(const fs::path& entry) try {
 }
 
 /// Reads the thumbnail that ships with the scene, or else the cached one.
-std::optional<render::Image> there_already(const fs::path& scene, const fs::path& folder) try {
+std::optional<render::Image> existing_thumbnail(const fs::path& scene, const fs::path& folder) try {
   if (std::optional<render::Image> picture = shipped_thumbnail(scene)) return picture;
   return folder.empty() ? std::nullopt : kept_thumbnail(thumbnail_entry(folder, scene));
 } catch (const InputError&) {
@@ -50,7 +50,7 @@ void draw_thumbnail(const fs::path& program, const fs::path& scene, const fs::pa
 
 }  // namespace
 
-/// What both threads see.
+/// Data shared by both threads.
 struct ThumbnailMaker::Shared {
   std::atomic<bool> cancelled = false;
   std::mutex mutex;
@@ -75,7 +75,7 @@ void ThumbnailMaker::make_all(const std::vector<fs::path>& scenes, const Thumbna
   const auto cancelled = [&] { return shared.cancelled.load(); };
   std::vector<std::size_t> missing;
   for (std::size_t i = 0; i < scenes.size() && !cancelled(); ++i) {
-    std::optional<render::Image> picture = there_already(scenes[i], source.folder);
+    std::optional<render::Image> picture = existing_thumbnail(scenes[i], source.folder);
     if (!picture) missing.push_back(i);
     if (picture) shared.add(i, std::move(*picture));
   }
@@ -87,7 +87,7 @@ void ThumbnailMaker::make_all(const std::vector<fs::path>& scenes, const Thumbna
       draw_thumbnail(source.program, scenes[i], entry, cancelled);
       if (std::optional<render::Image> picture = kept_thumbnail(entry)) shared.add(i, std::move(*picture));
     } catch (const std::runtime_error&) {
-      // Its card tells why it cannot be read; a picture that cannot be drawn is left out.
+      // The card of an unreadable scene shows the error; a picture that cannot be drawn is left out.
     }
   }
 }

@@ -5,8 +5,8 @@
 namespace griffith::app {
 namespace {
 
-/// The first node at each copy's place in rest space, from the latest to the oldest: the one of them that a step knew
-/// is what they were part of then.
+/// Returns the first node at each copy's rest position, from the latest to the oldest: the one that existed at an
+/// earlier step is the copy's origin.
 std::vector<NodeId> ancestors(const Frame& frame, NodeId node) {
   std::vector<NodeId> nodes = {node};
   for (std::int32_t i = node.index() - 1; i >= 0; --i)

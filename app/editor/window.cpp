@@ -36,8 +36,8 @@ static_assert(ui::key::kSpace == GLFW_KEY_SPACE && ui::key::kEscape == GLFW_KEY_
 static_assert(ui::key::kLeftShift == GLFW_KEY_LEFT_SHIFT && ui::key::kRightSuper == GLFW_KEY_RIGHT_SUPER);
 
 constexpr int kWidth = 1500, kHeight = 940;
-constexpr int kMinWidth = 1024, kMinHeight = 600;  // design pixels; smaller, panels would cover each other
-constexpr double kLongestWait = 1;                 // seconds; in between edits may be due to be copied
+constexpr int kMinWidth = 1024, kMinHeight = 600;  // design pixels; panels would overlap in a smaller window
+constexpr double kLongestWait = 1;                 // seconds; copies of edits may become due
 
 /// GLFW and its one window, with its OpenGL context current.
 class Window {
@@ -64,7 +64,7 @@ class Window {
 
   GLFWwindow* handle() const { return window_; }
 
-  /// Screen pixels per design pixel, in the units in which the window counts.
+  /// Returns screen pixels per design pixel, in units of the window.
   float scale() const {
     float content = 1;
     int window_width = 1, buffer_width = 1;
@@ -75,7 +75,7 @@ class Window {
   }
 
  private:
-  /// Lets the window be no larger than the screen has room for, and no smaller than it is of use there.
+  /// Limits the window to the screen, and to a usable size.
   void fit_screen() {
     int width = 0, height = 0, room_across = 0, room_down = 0;
     glfwGetWindowSize(window_, &width, &height);
@@ -99,14 +99,14 @@ class Window {
   GLFWwindow* window_ = nullptr;
 };
 
-/// Hands the window's events to ImGui and, for dropped files, to the editor.
+/// Passes the window's events to ImGui and dropped files to the editor.
 class WindowInput {
  public:
   WindowInput(const Window& window, Editor& editor) : editor_(editor) {
     GLFWwindow* handle = window.handle();
     ImGui_ImplGlfw_InitForOpenGL(handle, true);
     glfwSetWindowUserPointer(handle, this);
-    // These in place of ImGui's own, which lose what begins and ends between two frames.
+    // These replace ImGui's callbacks, which lose taps between two frames.
     glfwSetKeyCallback(handle, [](GLFWwindow* from, int key, int, int action, int) {
       if (action != GLFW_REPEAT) of(from).queue_.key(key, action == GLFW_PRESS);
     });
@@ -132,11 +132,11 @@ class WindowInput {
 
   ui::InputQueue& queue() { return queue_; }
 
-  /// Tells ImGui of the window and what the next frame is to see of the events.
+  /// Passes the window's state and the events of the next frame to ImGui.
   void begin_frame() {
     ImGui_ImplGlfw_NewFrame();
     ImGuiIO& io = ImGui::GetIO();
-    std::ranges::copy(buttons_, io.MouseDown);  // the backend has asked for the state of the moment
+    std::ranges::copy(buttons_, io.MouseDown);  // the backend has read the current state
     queue_.play(io);
     std::ranges::copy(io.MouseDown, buttons_.begin());
   }
@@ -148,10 +148,10 @@ class WindowInput {
 
   Editor& editor_;
   ui::InputQueue queue_;
-  std::array<bool, ImGuiMouseButton_COUNT> buttons_ = {};  ///< as the last frame saw them
+  std::array<bool, ImGuiMouseButton_COUNT> buttons_ = {};  ///< as of the last frame
 };
 
-/// What is in the window now.
+/// Reads the window's current picture.
 render::Image window_image(const Window& window) {
   render::Image image;
   glfwGetFramebufferSize(window.handle(), &image.width, &image.height);
@@ -195,8 +195,7 @@ void save_window(const std::filesystem::path& path, Editor& editor, const Window
   }
 }
 
-/// Goes on with the script that is being played, or with the tour or macro that was asked for. A line that fails ends
-/// it.
+/// Continues the script being played, or begins the requested tour or macro. An error in a line ends it.
 void play_script(std::optional<ScriptPlayer>& player, Editor& editor, WindowInput& input) {
   if (std::optional<Script> wanted = player ? std::nullopt : editor.take_script_request())
     player.emplace(std::move(*wanted), true);
@@ -210,7 +209,7 @@ void play_script(std::optional<ScriptPlayer>& player, Editor& editor, WindowInpu
   }
 }
 
-/// The user's own; a damaged file is told of and left alone until something is changed.
+/// Reads the user's preferences; a damaged file is reported and kept until something changes.
 ui::Preferences read_preferences(PreferencesFile& file, Editor& editor) {
   try {
     return file.read();
@@ -220,7 +219,7 @@ ui::Preferences read_preferences(PreferencesFile& file, Editor& editor) {
   }
 }
 
-/// Gives everything the size that is preferred, and keeps what has been changed once the mouse is let go.
+/// Applies the preferred size, and saves changes once the mouse is released.
 void follow_preferences(PreferencesFile& file, Editor& editor, ImGuiContextOwner& imgui, const Window& window) {
   ui::EditorState& state = editor.state();
   const float scale = window.scale() * static_cast<float>(state.preferences.ui_scale);
@@ -233,15 +232,15 @@ void follow_preferences(PreferencesFile& file, Editor& editor, ImGuiContextOwner
   }
 }
 
-/// Without a scene of their own people see one that is alive: what they fire flies.
+/// Runs the simulation for users without a scene of their own, so that projectiles move.
 void begin_first_run(Editor& editor) {
   editor.execute({.id = ui::CommandId::toggle_run});
-  editor.log(ui::LogLevel::info, "Right-click the wall to fire at it. Help > Tour shows more.");
+  editor.log(ui::LogLevel::info, "Right-click the wall to fire at it. See Help > Tour.");
 }
 
-/// Waits until there is something to draw, a while at most. True where there is.
+/// Waits a limited time until there is something to draw. True if there is.
 bool wait_for_frame(FrameSchedule& schedule, double wanted) {
-  constexpr double kInexact = 0.005;  // the wait may end so much early by itself [s]
+  constexpr double kInexact = 0.005;  // the wait may end early by so much [s]
   const double seconds = schedule.seconds_to_wait(wanted), until = glfwGetTime() + std::min(seconds, kLongestWait);
   if (seconds <= kDrawAtOnce) {
     glfwPollEvents();
@@ -253,7 +252,7 @@ bool wait_for_frame(FrameSchedule& schedule, double wanted) {
   return woken || seconds <= kLongestWait;
 }
 
-/// In how many seconds the window has something to draw by itself.
+/// Returns the seconds until the window draws by itself.
 double seconds_to_next_frame(const Editor& editor, WindowInput& input, bool plays) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool held = ImGui::IsAnyMouseDown() || std::ranges::find(io.KeysDown, true) != std::end(io.KeysDown);
@@ -266,7 +265,7 @@ void autosave(Editor& editor, FrameSchedule& schedule, double now) {
   if (editor.state().log.size() != said) schedule.wake();
 }
 
-/// Gives the window another title: that is an event of its own, so not in every frame.
+/// Sets the window's title, only if it differs because that causes an event.
 void show_title(const Window& window, std::string& shown, std::string title) {
   if (title == shown) return;
   shown = std::move(title);
@@ -293,7 +292,7 @@ void loop(Editor& editor, ImGuiContextOwner& imgui, const Window& window, Window
     last = now;
     play_script(player, editor, input);
     follow_preferences(preferences, editor, imgui, window);
-    const auto request = editor.take_picture_request();  // its dialog is gone from the frame that is drawn next
+    const auto request = editor.take_picture_request();  // its dialog is gone from the next drawn frame
     draw_frame(editor, imgui, window, input);
     if (request) editor.save_window_picture(*request, window_image(window), graphics_of_window());
     if (editor.take_screenshot_request()) save_window(free_screenshot_path(), editor, window);
@@ -321,7 +320,7 @@ void run_editor(const EditorOptions& options) {
   editor.state().preferences = read_preferences(preferences, editor);
   ImGuiContextOwner imgui(window.scale());
   WindowInput input(window, editor);
-  editor.keep_edits_safe(state_folder());
+  editor.enable_autosave(state_folder());
   editor.show_thumbnails({this_program(), thumbnail_cache()});
   editor.use_macros(macro_folder());
   editor.step_in_background();

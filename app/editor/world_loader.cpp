@@ -39,7 +39,7 @@ void WorldLoader::start(LoadReason reason, MakeScene make_scene, std::filesystem
   cancel();
   order_ = {reason, std::move(make_scene), std::move(path), max_tets};
   shared_ = std::make_shared<Shared>();
-  shared_->stage = "Building the bodies";
+  shared_->stage = "Building bodies";
   result_ = std::async(std::launch::async, build, order_, shared_);
 }
 
@@ -64,13 +64,13 @@ std::string WorldLoader::stage() const {
 
 void WorldLoader::cancel() {
   using std::chrono::seconds;
-  std::erase_if(given_up_, [](const auto& work) { return work.wait_for(seconds(0)) == std::future_status::ready; });
+  std::erase_if(cancelled_, [](const auto& work) { return work.wait_for(seconds(0)) == std::future_status::ready; });
   if (!result_.valid()) return;
   {
     const std::lock_guard lock(shared_->mutex);
     shared_->cancelled = true;
   }
-  given_up_.push_back(std::exchange(result_, {}));
+  cancelled_.push_back(std::exchange(result_, {}));
 }
 
 }  // namespace griffith::app

@@ -15,16 +15,16 @@
 
 namespace griffith::app {
 
-/// What a world is built for.
+/// Purpose of a build.
 enum class LoadReason { open, recover, add_body, follow };
 
-/// The mesh that is asked for is so large that it may be a slip.
+/// A requested mesh that is so large that it may be a mistake.
 struct LargeMesh : std::exception {
   explicit LargeMesh(double expected) : tets(expected) {}
   double tets;
 };
 
-/// Builds worlds on a thread of its own, one at a time, so that the window goes on living while a surface is meshed.
+/// Builds worlds on a thread of its own, one at a time, so that the window stays responsive while a surface is meshed.
 class WorldLoader {
  public:
   struct Loaded {
@@ -33,42 +33,41 @@ class WorldLoader {
     std::filesystem::path path;
     World world;
     EmbeddedDisplay display;
-    std::vector<InputError> warnings;         ///< as scene_warnings() has them
-    std::filesystem::file_time_type started;  ///< before any file was read
+    std::vector<InputError> warnings;         ///< from scene_warnings()
+    std::filesystem::file_time_type started;  ///< time before any file was read
   };
 
-  /// Gives up what is being built, and waits for that.
+  /// Cancels the build and waits for its threads.
   ~WorldLoader() { cancel(); }
 
-  /// Starts to build the world of a scene from the file `path`; what was being built before is given up. Where about
-  /// more than `max_tets` tetrahedra would be made, take() throws LargeMesh before any is.
+  /// Begins to build the world of a scene from the file `path`, replacing any build in progress. If more than about
+  /// `max_tets` tetrahedra would be made, take() throws LargeMesh before any is.
   void start(LoadReason reason, Scene scene, std::filesystem::path path, double max_tets);
-  /// Starts with a scene that takes work itself.
+  /// Begins with a function that makes the scene, for scenes that take long to make.
   using MakeScene = std::function<Scene(const Monitor&)>;
   void start(LoadReason reason, MakeScene make_scene, std::filesystem::path path, double max_tets);
-  /// Starts what was started last again, however large it is.
+  /// Restarts the last build without a limit of size.
   void start_again();
-  /// Waits for `seconds` at most; whether the result is there to be taken.
+  /// Waits at most `seconds`. True if the result is ready.
   bool wait(double seconds) const;
-  /// The world, once it is built; nothing while there is none. Throws the InputError that kept it from being built, or
-  /// LargeMesh.
+  /// Returns the world once it is built; empty before. Throws the InputError of the build, or LargeMesh.
   std::optional<Loaded> take();
-  /// What the world that was started last is for.
+  /// Returns the purpose of the last build.
   LoadReason reason() const { return order_.reason; }
-  /// What is being done; empty when nothing is.
+  /// Describes the progress; empty if nothing is being built.
   std::string stage() const;
-  /// Gives up what is being built. Returns at once: its thread ends by itself when it next asks.
+  /// Cancels the build. Returns at once: its thread ends by itself at its next check.
   void cancel();
 
  private:
-  /// What both threads see.
+  /// Data shared by both threads.
   struct Shared {
     std::mutex mutex;
     std::string stage;       ///< under `mutex`
     bool cancelled = false;  ///< under `mutex`
   };
 
-  /// What is to be built.
+  /// A requested build.
   struct Order {
     LoadReason reason = LoadReason::open;
     MakeScene make_scene;
@@ -80,7 +79,7 @@ class WorldLoader {
   Order order_;
   std::shared_ptr<Shared> shared_;
   std::future<Loaded> result_;
-  std::vector<std::future<Loaded>> given_up_;  ///< whose threads have not ended yet
+  std::vector<std::future<Loaded>> cancelled_;  ///< builds whose threads have not ended yet
 };
 
 }  // namespace griffith::app

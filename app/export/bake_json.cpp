@@ -10,19 +10,19 @@ using Json = nlohmann::ordered_json;
 Json json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 Json json(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
 
-Json thing_json(const BakedThing& thing) {
-  return {{"name", thing.name},
-          {"scene_body", thing.scene_body},
-          {"mass", thing.mass},
-          {"center", json(thing.poses.front().translation)},
-          {"is_supported", thing.is_supported},
-          {"break_time", json(thing.break_time)},
-          {"scale_factor", thing.broke_scaled ? thing.broke_scaled->factor : 1}};
+Json object_json(const BakedObject& object) {
+  return {{"name", object.name},
+          {"scene_body", object.scene_body},
+          {"mass", object.mass},
+          {"center", json(object.poses.front().translation)},
+          {"is_supported", object.is_supported},
+          {"break_time", json(object.break_time)},
+          {"scale_factor", object.broke_scaled ? object.broke_scaled->factor : 1}};
 }
 
 Json bond_json(const Bake& bake, const BakedBond& bond) {
-  return {{"a", bake.things[bond.a].name},      {"b", bake.things[bond.b].name}, {"area", bond.area},
-          {"center", json(bond.center)},        {"normal", json(bond.normal)},   {"strength", bond.strength},
+  return {{"a", bake.objects[bond.a].name},     {"b", bake.objects[bond.b].name}, {"area", bond.area},
+          {"center", json(bond.center)},        {"normal", json(bond.normal)},    {"strength", bond.strength},
           {"break_time", json(bond.break_time)}};
 }
 
@@ -34,7 +34,7 @@ std::string bake_json(const Bake& bake) {
                    {"end", bake.times.back()},
                    {"things", Json::array()},
                    {"bonds", Json::array()}};
-  for (const BakedThing& thing : bake.things) document["things"].push_back(thing_json(thing));
+  for (const BakedObject& object : bake.objects) document["things"].push_back(object_json(object));
   for (const BakedBond& bond : bake.bonds) document["bonds"].push_back(bond_json(bake, bond));
   return document.dump(2) + '\n';
 }

@@ -6,8 +6,8 @@
 
 namespace griffith::app {
 
-/// The things and bonds of a bake as JSON, without surfaces and motion; SI units. Break times are null where there are
-/// none.
+/// Returns the objects and bonds of a bake as JSON, without surfaces and motion; SI units. Missing break times are
+/// null.
 std::string bake_json(const Bake& bake);
 
 }  // namespace griffith::app

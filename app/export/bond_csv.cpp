@@ -10,7 +10,7 @@ std::string bond_csv(const Bake& bake) {
   std::string csv =
       "a,b,area [m²],center x [m],center y [m],center z [m],normal x,normal y,normal z,strength [Pa],break time [s]\n";
   for (const BakedBond& bond : bake.bonds) {
-    csv += csv_field(bake.things[bond.a].name) + ',' + csv_field(bake.things[bond.b].name);
+    csv += csv_field(bake.objects[bond.a].name) + ',' + csv_field(bake.objects[bond.b].name);
     append_csv_number(csv, bond.area);
     for (const double x : bond.center) append_csv_number(csv, x);
     for (const double x : bond.normal) append_csv_number(csv, x);

@@ -6,8 +6,8 @@
 
 namespace griffith::app {
 
-/// The bonds of a bake as CSV, a row each: names of the pieces, area, center, normal, strength, break time (empty where
-/// there is none); SI units.
+/// Returns the bonds of a bake as CSV, one row each: names of the pieces, area, center, normal, strength, break time
+/// (may be empty); SI units.
 std::string bond_csv(const Bake& bake);
 
 }  // namespace griffith::app

@@ -24,7 +24,7 @@ constexpr BakeFormat kBakeFormats[] = {
 const BakeFormat& format_of(const std::filesystem::path& path) {
   for (const BakeFormat& format : kBakeFormats)
     if (path.extension() == format.suffix) return format;
-  throw InputError(path.string(), "has the suffix of no format", "end it in .glb, .usda, .html, .json or .csv");
+  throw InputError(path.string(), "has no supported extension", "use .glb, .usda, .html, .json or .csv");
 }
 
 }  // namespace

@@ -23,104 +23,104 @@ tinygltf::Material gltf_material(const BakedMaterial& baked) {
   return material;
 }
 
-/// Morph targets: how far each frame's points are from those of the mesh.
-std::vector<std::map<std::string, int>> morph_targets(const BakedThing& thing, GlbBuffer& buffer) {
+/// Adds morph targets: the displacements of each frame's points from those of the mesh.
+std::vector<std::map<std::string, int>> morph_targets(const BakedObject& object, GlbBuffer& buffer) {
   std::vector<std::map<std::string, int>> targets;
-  for (const std::vector<Vec3>& points : thing.deformed_points) {
+  for (const std::vector<Vec3>& points : object.deformed_points) {
     std::vector<Vec3> offsets(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) offsets[i] = points[i] - thing.mesh.points[i];
+    for (std::size_t i = 0; i < points.size(); ++i) offsets[i] = points[i] - object.mesh.points[i];
     targets.push_back({{"POSITION", buffer.add_vectors(offsets, true)}});
   }
   return targets;
 }
 
-tinygltf::Mesh gltf_mesh(const BakedThing& thing, GlbBuffer& buffer) {
+tinygltf::Mesh gltf_mesh(const BakedObject& object, GlbBuffer& buffer) {
   tinygltf::Primitive primitive;
   primitive.mode = TINYGLTF_MODE_TRIANGLES;
-  primitive.attributes = {{"POSITION", buffer.add_vectors(thing.mesh.points, true)},
-                          {"NORMAL", buffer.add_vectors(thing.mesh.normals, false)},
-                          {"TEXCOORD_0", buffer.add_uvs(thing.mesh.uvs)}};
-  primitive.targets = morph_targets(thing, buffer);
+  primitive.attributes = {{"POSITION", buffer.add_vectors(object.mesh.points, true)},
+                          {"NORMAL", buffer.add_vectors(object.mesh.normals, false)},
+                          {"TEXCOORD_0", buffer.add_uvs(object.mesh.uvs)}};
+  primitive.targets = morph_targets(object, buffer);
   tinygltf::Mesh mesh;
-  mesh.name = thing.name;
-  mesh.weights.resize(thing.deformed_points.size());
+  mesh.name = object.name;
+  mesh.weights.resize(object.deformed_points.size());
   for (int look = 0; look < kLooks; ++look) {
-    if (thing.mesh.triangles[look].empty()) continue;
-    primitive.material = thing.materials[look];
-    primitive.indices = buffer.add_indices(thing.mesh.triangles[look]);
+    if (object.mesh.triangles[look].empty()) continue;
+    primitive.material = object.materials[look];
+    primitive.indices = buffer.add_indices(object.mesh.triangles[look]);
     mesh.primitives.push_back(primitive);
   }
   return mesh;
 }
 
-Value bond_extras(const Bake& bake, const BakedBond& bond, int thing) {
-  Value::Object extras = {{"to", Value(bake.things[thing == bond.a ? bond.b : bond.a].name)},
+Value bond_extras(const Bake& bake, const BakedBond& bond, int object) {
+  Value::Object extras = {{"to", Value(bake.objects[object == bond.a ? bond.b : bond.a].name)},
                           {"area", Value(bond.area)},
                           {"strength", Value(bond.strength)}};
   if (bond.break_time) extras["break_time"] = Value(*bond.break_time);
   return Value(extras);
 }
 
-/// What programs keep as custom properties. `bonds`: of the thing.
-Value thing_extras(const Bake& bake, int index, std::span<const BakedBond* const> bonds) {
-  const BakedThing& thing = bake.things[index];
-  Value::Object extras = {{"mass", Value(thing.mass)},
-                          {"scene_body", Value(thing.scene_body)},
-                          {"is_supported", Value(thing.is_supported)}};
-  if (thing.break_time) extras["break_time"] = Value(*thing.break_time);
-  if (thing.broke_scaled) extras["scale_factor"] = Value(thing.broke_scaled->factor);
+/// Returns custom properties. `bonds`: of the object.
+Value object_extras(const Bake& bake, int index, std::span<const BakedBond* const> bonds) {
+  const BakedObject& object = bake.objects[index];
+  Value::Object extras = {{"mass", Value(object.mass)},
+                          {"scene_body", Value(object.scene_body)},
+                          {"is_supported", Value(object.is_supported)}};
+  if (object.break_time) extras["break_time"] = Value(*object.break_time);
+  if (object.broke_scaled) extras["scale_factor"] = Value(object.broke_scaled->factor);
   Value::Array list;
   for (const BakedBond* bond : bonds) list.push_back(bond_extras(bake, *bond, index));
   if (!list.empty()) extras["bonds"] = Value(list);
   return Value(extras);
 }
 
-tinygltf::Node gltf_node(const BakedThing& thing, int mesh) {
+tinygltf::Node gltf_node(const BakedObject& object, int mesh) {
   tinygltf::Node node;
-  node.name = thing.name;
+  node.name = object.name;
   node.mesh = mesh;
-  const Pose& pose = thing.poses.front();
+  const Pose& pose = object.poses.front();
   node.translation = components(pose.translation);
   node.rotation = {pose.rotation.x(), pose.rotation.y(), pose.rotation.z(), pose.rotation.w()};
   return node;
 }
 
-/// Adds tracks to the one animation of the file.
+/// Adds tracks to the animation of the file.
 class AnimationWriter {
  public:
   AnimationWriter(const Bake& bake, GlbBuffer& buffer) : bake_(bake), buffer_(buffer) { animation_.name = "run"; }
 
-  void add_motion(const BakedThing& thing, int node) {
-    const std::vector<int> keys = pose_keys(thing);
+  void add_motion(const BakedObject& object, int node) {
+    const std::vector<int> keys = pose_keys(object);
     if (keys.size() < 2) return;
     std::vector<double> times;
     std::vector<Vec3> positions;
     std::vector<Quat> rotations;
     for (const int key : keys) {
-      times.push_back(time(thing.first_frame + key));
-      positions.push_back(thing.poses[key].translation);
-      rotations.push_back(thing.poses[key].rotation);
+      times.push_back(time(object.first_frame + key));
+      positions.push_back(object.poses[key].translation);
+      rotations.push_back(object.poses[key].rotation);
     }
     const int input = buffer_.add_key_times(times);
     add_track(node, "translation", input, buffer_.add_key_vectors(positions), "LINEAR");
     add_track(node, "rotation", input, buffer_.add_key_rotations(rotations), "LINEAR");
   }
 
-  void add_appearance(const BakedThing& thing, int node) {
-    if (thing.first_frame == 0) return;
-    const std::vector<double> times = {0, time(thing.first_frame)};
+  void add_appearance(const BakedObject& object, int node) {
+    if (object.first_frame == 0) return;
+    const std::vector<double> times = {0, time(object.first_frame)};
     const std::vector<Vec3> scales = {Vec3::Zero(), Vec3::Ones()};
     add_track(node, "scale", buffer_.add_key_times(times), buffer_.add_key_vectors(scales), "STEP");
   }
 
-  /// In each frame its morph target alone counts.
-  void add_deformation(const BakedThing& thing, int node) {
-    const std::size_t frames = thing.deformed_points.size();
+  /// Adds a track that gives each frame its own morph target.
+  void add_deformation(const BakedObject& object, int node) {
+    const std::size_t frames = object.deformed_points.size();
     if (frames < 2) return;
     std::vector<double> times;
     std::vector<float> weights(frames * frames);
     for (std::size_t i = 0; i < frames; ++i) {
-      times.push_back(time(thing.first_frame + static_cast<int>(i)));
+      times.push_back(time(object.first_frame + static_cast<int>(i)));
       weights[i * frames + i] = 1;
     }
     add_track(node, "weights", buffer_.add_key_times(times), buffer_.add_key_numbers(weights), "LINEAR");
@@ -149,10 +149,10 @@ class AnimationWriter {
   tinygltf::Animation animation_;
 };
 
-std::vector<std::vector<const BakedBond*>> bonds_by_thing(const Bake& bake) {
-  std::vector<std::vector<const BakedBond*>> bonds(bake.things.size());
+std::vector<std::vector<const BakedBond*>> bonds_by_object(const Bake& bake) {
+  std::vector<std::vector<const BakedBond*>> bonds(bake.objects.size());
   for (const BakedBond& bond : bake.bonds)
-    for (const int thing : {bond.a, bond.b}) bonds[thing].push_back(&bond);
+    for (const int object : {bond.a, bond.b}) bonds[object].push_back(&bond);
   return bonds;
 }
 
@@ -172,16 +172,16 @@ std::string glb_file(const Bake& bake) {
   tinygltf::Scene scene;
   scene.name = bake.scene_name;
   for (const BakedMaterial& material : bake.materials) model.materials.push_back(gltf_material(material));
-  const std::vector<std::vector<const BakedBond*>> bonds = bonds_by_thing(bake);
-  for (int i = 0; i < std::ssize(bake.things); ++i) {
-    const BakedThing& thing = bake.things[i];
-    model.meshes.push_back(gltf_mesh(thing, buffer));
-    model.nodes.push_back(gltf_node(thing, i));
-    model.nodes.back().extras = thing_extras(bake, i, bonds[i]);
+  const std::vector<std::vector<const BakedBond*>> bonds = bonds_by_object(bake);
+  for (int i = 0; i < std::ssize(bake.objects); ++i) {
+    const BakedObject& object = bake.objects[i];
+    model.meshes.push_back(gltf_mesh(object, buffer));
+    model.nodes.push_back(gltf_node(object, i));
+    model.nodes.back().extras = object_extras(bake, i, bonds[i]);
     scene.nodes.push_back(i);
-    animation.add_motion(thing, i);
-    animation.add_appearance(thing, i);
-    animation.add_deformation(thing, i);
+    animation.add_motion(object, i);
+    animation.add_appearance(object, i);
+    animation.add_deformation(object, i);
   }
   buffer.finish(model);
   if (tinygltf::Animation all = animation.finish(); !all.channels.empty()) model.animations.push_back(std::move(all));

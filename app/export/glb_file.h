@@ -6,9 +6,10 @@
 
 namespace griffith::app {
 
-/// A binary glTF 2.0 file of the bake: a node a thing, with a mesh of up to two materials, and one animation with
-/// tracks where things move. Time 0 is the first frame. Things that appear later have scale 0 before. Deformed points
-/// are morph targets, one a frame. Extras of nodes tell mass, break time, scene body and bonds.
+/// Returns a binary glTF 2.0 file of the bake: one node for each object, with a mesh of up to two materials, and one
+/// animation with tracks for moving objects. Time 0 is the first frame. Objects that appear later have scale 0 before.
+/// Deformed points are morph targets, one for each frame. Extras of nodes contain mass, break time, scene body and
+/// bonds.
 std::string glb_file(const Bake& bake);
 
 }  // namespace griffith::app

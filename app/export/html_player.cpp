@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 static_assert(std::endian::native == std::endian::little, "browsers read numbers as they lie in memory");
 
-/// Numbers of four bytes, one after the other.
+/// Buffer of consecutive four-byte numbers.
 template <class Number>
 class Numbers {
  public:
@@ -32,7 +32,7 @@ class Numbers {
   std::vector<Number> values_;
 };
 
-/// What the header only counts, in the order in which it does.
+/// Arrays counted in the header, in its order.
 struct Arrays {
   Numbers<float> floats;
   Numbers<std::uint32_t> indices;
@@ -47,16 +47,16 @@ Vec3 size_of(const BakedMesh& mesh) {
   return box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.sizes());
 }
 
-void add_arrays(const BakedThing& thing, Arrays& arrays) {
-  for (const Vec3& point : thing.mesh.points) arrays.floats.add_components(point);
-  for (const Vec3& normal : thing.mesh.normals) arrays.floats.add_components(normal);
-  for (const Pose& pose : thing.poses) {
+void add_arrays(const BakedObject& object, Arrays& arrays) {
+  for (const Vec3& point : object.mesh.points) arrays.floats.add_components(point);
+  for (const Vec3& normal : object.mesh.normals) arrays.floats.add_components(normal);
+  for (const Pose& pose : object.poses) {
     arrays.floats.add_components(pose.translation);
     arrays.floats.add_components(pose.rotation.coeffs());
   }
-  for (const std::vector<Vec3>& points : thing.deformed_points)
+  for (const std::vector<Vec3>& points : object.deformed_points)
     for (const Vec3& point : points) arrays.floats.add_components(point);
-  for (const auto& triangles : thing.mesh.triangles)
+  for (const auto& triangles : object.mesh.triangles)
     for (const std::array<int, 3>& triangle : triangles) arrays.indices.add_components(triangle);
 }
 
@@ -66,21 +66,21 @@ Json triangle_counts(const BakedMesh& mesh) {
   return counts;
 }
 
-Json thing_json(const BakedThing& thing, Arrays& arrays) {
-  add_arrays(thing, arrays);
-  return {{"name", thing.name},
-          {"body", thing.scene_body < 0 ? Json(nullptr) : Json(thing.scene_body)},
-          {"mass", thing.mass},
-          {"size", header_json(size_of(thing.mesh))},
-          {"supported", thing.is_supported},
-          {"breakTime", header_json(thing.break_time)},
-          {"brokeScaled", thing.broke_scaled ? Json(scale_text(*thing.broke_scaled)) : Json(nullptr)},
-          {"materials", thing.materials},
-          {"firstFrame", thing.first_frame},
-          {"pointCount", thing.mesh.points.size()},
-          {"poseCount", thing.poses.size()},
-          {"deformedCount", thing.deformed_points.size()},
-          {"triangleCounts", triangle_counts(thing.mesh)}};
+Json object_json(const BakedObject& object, Arrays& arrays) {
+  add_arrays(object, arrays);
+  return {{"name", object.name},
+          {"body", object.scene_body < 0 ? Json(nullptr) : Json(object.scene_body)},
+          {"mass", object.mass},
+          {"size", header_json(size_of(object.mesh))},
+          {"supported", object.is_supported},
+          {"breakTime", header_json(object.break_time)},
+          {"brokeScaled", object.broke_scaled ? Json(scale_text(*object.broke_scaled)) : Json(nullptr)},
+          {"materials", object.materials},
+          {"firstFrame", object.first_frame},
+          {"pointCount", object.mesh.points.size()},
+          {"poseCount", object.poses.size()},
+          {"deformedCount", object.deformed_points.size()},
+          {"triangleCounts", triangle_counts(object.mesh)}};
 }
 
 Json material_json(const BakedMaterial& material) {
@@ -100,15 +100,16 @@ Json bond_json(const BakedBond& bond) {
 
 Json header(const Bake& bake, Arrays& arrays) {
   Json header = {{"scene", bake.scene_name}, {"framesPerSecond", bake.frames_per_second}, {"times", bake.times}};
-  for (const char* list : {"bodies", "materials", "things", "bonds"}) header[list] = Json::array();
+  for (const char* list : {"bodies", "materials", "objects", "bonds"}) header[list] = Json::array();
   for (const std::string& name : bake.body_names) header["bodies"].push_back(name);
   for (const BakedMaterial& material : bake.materials) header["materials"].push_back(material_json(material));
-  for (const BakedThing& thing : bake.things) header["things"].push_back(thing_json(thing, arrays));
+  for (const BakedObject& object : bake.objects) header["objects"].push_back(object_json(object, arrays));
   for (const BakedBond& bond : bake.bonds) header["bonds"].push_back(bond_json(bond));
   return header;
 }
 
-/// Data of a page; what would end the element is written otherwise, which JSON allows and base64 lacks.
+/// Returns a data element of a page. Text that would end the element is escaped, which JSON allows and base64 does not
+/// need.
 std::string data_element(const std::string& id, const std::string& text) {
   std::string safe;
   for (const char c : text) c == '<' ? safe += "\\u003c" : safe += c;

@@ -6,8 +6,8 @@
 
 namespace griffith::app {
 
-/// A page that plays a bake in a browser with WebGL 2: one file, which asks for nothing from any network. Numbers are
-/// of single precision.
+/// Returns a page that plays a bake in a browser with WebGL 2: a single file without network access. Numbers have
+/// single precision.
 std::string html_player(const Bake& bake);
 
 }  // namespace griffith::app

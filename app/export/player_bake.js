@@ -1,16 +1,16 @@
 'use strict';
 
-/** The numbers of the page: a header in JSON, then arrays of floats and of indices in the order in which it counts them. */
+/** The numbers of the page: a header in JSON, then arrays of floats and of indices in the order of the header. */
 function readBake() {
   const bake = JSON.parse(document.getElementById('bake').textContent);
   const floats = reader(new Float32Array(bytesOf('floats')));
   const indices = reader(new Uint32Array(bytesOf('indices')));
-  for (const thing of bake.things) {
-    thing.points = floats(3 * thing.pointCount);
-    thing.normals = floats(3 * thing.pointCount);
-    thing.poses = floats(7 * thing.poseCount);
-    thing.deformed = floats(3 * thing.pointCount * thing.deformedCount);
-    thing.triangles = thing.triangleCounts.map(count => indices(3 * count));
+  for (const object of bake.objects) {
+    object.points = floats(3 * object.pointCount);
+    object.normals = floats(3 * object.pointCount);
+    object.poses = floats(7 * object.poseCount);
+    object.deformed = floats(3 * object.pointCount * object.deformedCount);
+    object.triangles = object.triangleCounts.map(count => indices(3 * count));
   }
   return bake;
 }
@@ -22,21 +22,21 @@ function bytesOf(id) {
   return bytes.buffer;
 }
 
-/** Hands out the numbers of an array, one stretch after the other. */
+/** Returns consecutive parts of an array. */
 function reader(array) {
   let at = 0;
   return count => array.subarray(at, at += count);
 }
 
-/** Where a thing is at a frame, which may lie between two: [x, y, z, qx, qy, qz, qw]; null before it is there. */
-function poseAt(thing, frame) {
-  const at = frame - thing.firstFrame;
+/** Pose of an object at a frame, which may be fractional: [x, y, z, qx, qy, qz, qw]; null before it exists. */
+function poseAt(object, frame) {
+  const at = frame - object.firstFrame;
   if (at < 0) return null;
-  const last = thing.poseCount - 1, i = Math.min(Math.floor(at), last), j = Math.min(i + 1, last);
-  return mixedPose(thing.poses.subarray(7 * i, 7 * i + 7), thing.poses.subarray(7 * j, 7 * j + 7), at - i);
+  const last = object.poseCount - 1, i = Math.min(Math.floor(at), last), j = Math.min(i + 1, last);
+  return mixedPose(object.poses.subarray(7 * i, 7 * i + 7), object.poses.subarray(7 * j, 7 * j + 7), at - i);
 }
 
-/** Rotations are mixed along the shorter arc; frames are so close that no slerp is needed. */
+/** Rotations are interpolated along the shorter arc; frames are so close that no slerp is needed. */
 function mixedPose(a, b, t) {
   let dot = 0, length = 0;
   for (let i = 3; i < 7; ++i) dot += a[i] * b[i];
@@ -46,11 +46,11 @@ function mixedPose(a, b, t) {
   return pose;
 }
 
-/** The points of a thing that deforms, in its own frame, at a frame. */
-function deformedAt(thing, frame) {
-  const count = 3 * thing.pointCount, last = thing.deformedCount - 1;
-  const at = Math.min(Math.max(frame - thing.firstFrame, 0), last), i = Math.floor(at), j = Math.min(i + 1, last);
-  const a = thing.deformed.subarray(i * count, (i + 1) * count), b = thing.deformed.subarray(j * count, (j + 1) * count);
+/** Points of a deforming object at a frame, in its own coordinates. */
+function deformedAt(object, frame) {
+  const count = 3 * object.pointCount, last = object.deformedCount - 1;
+  const at = Math.min(Math.max(frame - object.firstFrame, 0), last), i = Math.floor(at), j = Math.min(i + 1, last);
+  const a = object.deformed.subarray(i * count, (i + 1) * count), b = object.deformed.subarray(j * count, (j + 1) * count);
   return a.map((value, k) => value + (at - i) * (b[k] - value));
 }
 
@@ -60,14 +60,14 @@ function rotated(pose, v) {
   return [v[0] + w * tx + y * tz - z * ty, v[1] + w * ty + z * tx - x * tz, v[2] + w * tz + x * ty - y * tx];
 }
 
-/** The box round all things but those that fly, at a frame: [low, high]. */
+/** Bounding box of all objects except projectiles at a frame: [low, high]. */
 function boundsAt(bake, frame) {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-  for (const thing of bake.things) {
-    const pose = thing.body === null ? null : poseAt(thing, frame);
+  for (const object of bake.objects) {
+    const pose = object.body === null ? null : poseAt(object, frame);
     if (!pose) continue;
-    for (let i = 0; i < thing.points.length; i += 3) {
-      const point = rotated(pose, thing.points.subarray(i, i + 3));
+    for (let i = 0; i < object.points.length; i += 3) {
+      const point = rotated(pose, object.points.subarray(i, i + 3));
       for (let k = 0; k < 3; ++k) {
         low[k] = Math.min(low[k], point[k] + pose[k]);
         high[k] = Math.max(high[k], point[k] + pose[k]);
@@ -77,12 +77,12 @@ function boundsAt(bake, frame) {
   return low[0] <= high[0] ? [low, high] : [[-1, -1, -1], [1, 1, 1]];
 }
 
-/** How many pieces broke off up to each frame since the one before. */
+/** Number of pieces that broke off between each frame and the one before. */
 function breaksPerFrame(bake) {
   const breaks = new Array(bake.times.length).fill(0);
-  for (const thing of bake.things) {
-    if (thing.breakTime === null) continue;
-    const frame = bake.times.findIndex(time => time >= thing.breakTime - 1e-9);
+  for (const object of bake.objects) {
+    if (object.breakTime === null) continue;
+    const frame = bake.times.findIndex(time => time >= object.breakTime - 1e-9);
     if (frame > 0) ++breaks[frame];
   }
   return breaks;

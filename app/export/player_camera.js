@@ -1,6 +1,6 @@
 'use strict';
 
-/** Looks at a target from a distance; angles in radians. */
+/** Orbit camera; angles in radians. */
 class Camera {
   constructor() {
     this.target = [0, 0, 0];
@@ -22,7 +22,7 @@ class Camera {
     this.pitch = Math.min(Math.max(this.pitch + down, -1.55), 1.55);
   }
 
-  /** By shares of the view's height. */
+  /** By fractions of the view's height. */
   move(right, down) {
     const size = 2 * this.distance * Math.tan(this.fov / 2), [x, y] = this.axes();
     for (let k = 0; k < 3; ++k) this.target[k] += size * (down * y[k] - right * x[k]);
@@ -30,7 +30,7 @@ class Camera {
 
   zoom(factor) { this.distance = Math.min(Math.max(this.distance * factor, 1e-4), 1e6); }
 
-  /** Right, up and towards the eye. */
+  /** Right, up and toward the eye. */
   axes() {
     const [sy, cy, sp, cp] = [Math.sin(this.yaw), Math.cos(this.yaw), Math.sin(this.pitch), Math.cos(this.pitch)];
     return [[cy, 0, -sy], [-sy * sp, cp, -cy * sp], [sy * cp, sp, cy * cp]];

@@ -2,7 +2,7 @@
 
 const kSpeeds = [0.02, 0.05, 0.1, 0.25, 0.5, 1, 2];
 
-/** Plays a bake: what its page does. */
+/** Controller of the page that plays a bake. */
 class Player {
   constructor() {
     this.element = id => document.getElementById(id);
@@ -10,7 +10,7 @@ class Player {
     this.breaks = breaksPerFrame(this.bake);
     this.view = new View(this.element('canvas'), this.bake);
     Object.assign(this, {frame: 0, playing: false, speed: 1, selected: -1, there: 0, last: this.bake.times.length - 1});
-    const pieces = this.bake.things.filter(thing => thing.body !== null).length;
+    const pieces = this.bake.objects.filter(object => object.body !== null).length;
     this.element('title').append(this.bake.scene, made('small', `${pieces} ${pieces === 1 ? 'piece' : 'pieces'}, ${this.duration()}`));
     for (const speed of kSpeeds) this.element('speed').add(new Option(`${speed}×`, speed, speed === 1, speed === 1));
     this.listen();
@@ -20,7 +20,7 @@ class Player {
   }
 
   duration() { return quantity(this.bake.times[this.last] - this.bake.times[0], 's'); }
-  /** The time at a frame that may lie between two [s]. */
+  /** Time at a frame, which may be fractional [s]. */
   time() {
     const i = Math.floor(this.frame), times = this.bake.times, next = times[Math.min(i + 1, this.last)];
     return times[i] + (this.frame - i) * (next - times[i]);
@@ -45,7 +45,7 @@ class Player {
     showPiece(this.element('piece'), this.bake, number, other => this.select(other), () => this.select(-1));
     this.update();
   }
-  numberOf(name) { return this.bake.things.findIndex(thing => thing.name === name); }
+  numberOf(name) { return this.bake.objects.findIndex(object => object.name === name); }
 
   /** "#frame=30&select=pane_0012&speed=0.1&play=1" */
   obeyHash() {
@@ -86,7 +86,7 @@ class Player {
   }
 }
 
-/** One pointer turns or moves, two zoom; one that hardly moves is a click. */
+/** One pointer orbits or pans, two zoom; a short motion is a click. */
 function listenToView(player) {
   const canvas = player.element('canvas'), camera = player.view.camera, held = new Map();
   let moved = 0;

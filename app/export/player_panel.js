@@ -1,16 +1,16 @@
 'use strict';
 
-/** What is told of a piece; `go` is called with the number of a neighbour that is clicked. */
+/** Shows the facts about a piece; `go` is called with the number of a clicked neighbor. */
 function showPiece(element, bake, number, go, close) {
   element.hidden = number < 0;
   element.replaceChildren();
   if (number < 0) return;
-  const thing = bake.things[number], bonds = bondsOf(bake, number);
+  const object = bake.objects[number], bonds = bondsOf(bake, number);
   const button = element.appendChild(made('button', '×', 'close'));
   button.title = 'Close';
   button.onclick = close;
-  element.appendChild(made('h2', thing.name));
-  element.appendChild(rowsOf(factsOf(bake, thing, bonds)));
+  element.appendChild(made('h2', object.name));
+  element.appendChild(rowsOf(factsOf(bake, object, bonds)));
   if (bonds.length > 0) element.appendChild(bondTable(bake, bonds, go));
 }
 
@@ -21,23 +21,23 @@ function made(tag, text = '', name = '') {
   return element;
 }
 
-/** Bonds with the neighbour's number, the first to open first. */
+/** Bonds with the neighbor's number, in order of opening. */
 function bondsOf(bake, number) {
   return bake.bonds.filter(bond => bond.a === number || bond.b === number)
       .map(bond => ({...bond, neighbour: bond.a === number ? bond.b : bond.a}))
       .sort((a, b) => (a.breakTime ?? Infinity) - (b.breakTime ?? Infinity));
 }
 
-function factsOf(bake, thing, bonds) {
-  const facts = [['Mass', quantity(thing.mass, 'kg')], ['Size', thing.size.map(length => quantity(length, 'm')).join(' × ')]];
-  if (thing.body !== null) facts.push(['Of', bake.bodies[thing.body]]);
-  if (thing.supported) facts.push(['Held', 'by a support']);
-  if (thing.breakTime !== null) facts.push(['Broke off', `after ${quantity(thing.breakTime, 's')}`]);
-  if (thing.brokeScaled) facts.push(['Broke at', `${thing.brokeScaled}: scaled to keep to the step budget`]);
+function factsOf(bake, object, bonds) {
+  const facts = [['Mass', quantity(object.mass, 'kg')], ['Size', object.size.map(length => quantity(length, 'm')).join(' × ')]];
+  if (object.body !== null) facts.push(['Body', bake.bodies[object.body]]);
+  if (object.supported) facts.push(['Held', 'by a support']);
+  if (object.breakTime !== null) facts.push(['Broke off', `after ${quantity(object.breakTime, 's')}`]);
+  if (object.brokeScaled) facts.push(['Broke at', `${object.brokeScaled}: scaled for the step budget`]);
   const first = bonds.find(bond => bond.breakTime !== null);
   if (first)
-    facts.push(['Why', `its bond to ${bake.things[first.neighbour].name} gave way first, after ${quantity(first.breakTime, 's')}:` +
-                       ` the tension there passed ${quantity(first.strength, 'Pa')}`]);
+    facts.push(['Why', `its bond to ${bake.objects[first.neighbour].name} opened first, after ${quantity(first.breakTime, 's')}:` +
+                       ` the tension there exceeded ${quantity(first.strength, 'Pa')}`]);
   return facts;
 }
 
@@ -52,9 +52,9 @@ function rowsOf(facts) {
 
 function bondTable(bake, bonds, go) {
   const table = made('table'), head = table.appendChild(made('tr'));
-  for (const name of ['Held by', 'Area', 'Strength', 'Until']) head.appendChild(made('th', name));
+  for (const name of ['Bond to', 'Area', 'Strength', 'Until']) head.appendChild(made('th', name));
   for (const bond of bonds) {
-    const row = table.appendChild(made('tr')), link = made('button', bake.things[bond.neighbour].name, 'link');
+    const row = table.appendChild(made('tr')), link = made('button', bake.objects[bond.neighbour].name, 'link');
     link.onclick = () => go(bond.neighbour);
     row.appendChild(made('td')).appendChild(link);
     const until = bond.breakTime === null ? 'now' : quantity(bond.breakTime, 's');
@@ -63,7 +63,7 @@ function bondTable(bake, bonds, go) {
   return table;
 }
 
-/** Draws the bar of time: a tick for each frame in which pieces broke off, the taller the more. */
+/** Draws the timeline: a tick for each frame in which pieces broke off, taller for more of them. */
 function drawBar(canvas, breaks, frame) {
   const scale = window.devicePixelRatio || 1, width = canvas.clientWidth, height = canvas.clientHeight;
   Object.assign(canvas, {width: Math.round(scale * width), height: Math.round(scale * height)});

@@ -1,13 +1,13 @@
 'use strict';
 
-/** Places of things stand in a texture, two texels each: (x, y, z, is there), rotation. */
+/** Poses of objects in a texture, two texels each: (x, y, z, visible), rotation. */
 const kPlacing = `#version 300 es
 precision highp float;
 precision highp int;
 uniform highp sampler2D poses;
 uniform mat4 camera;
 in vec3 position, normal;
-in vec2 style;  // thing, material
+in vec2 style;  // object, material
 vec3 turned(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 vec4 place(out vec4 rotation) {
   vec4 at = texelFetch(poses, ivec2(0, int(style.x)), 0);
@@ -16,7 +16,7 @@ vec4 place(out vec4 rotation) {
 }
 `;
 
-const kThingVertex = `${kPlacing}
+const kObjectVertex = `${kPlacing}
 uniform float selected;
 uniform vec3 eye;
 flat out int material;
@@ -31,9 +31,9 @@ void main() {
   gl_Position = at.w > 0.0 ? camera * vec4(at.xyz, 1) : vec4(0, 0, 2, 1);
 }`;
 
-const kThingFragment = `#version 300 es
+const kObjectFragment = `#version 300 es
 precision highp float;
-uniform highp sampler2D materials;  // two texels each: linear colour and opacity, roughness
+uniform highp sampler2D materials;  // two texels each: linear color and opacity, roughness
 flat in int material;
 flat in float chosen;
 in vec3 world_normal, towards_eye;
@@ -54,7 +54,7 @@ void main() {
   color = vec4(encoded(lit) * opacity, opacity);
 }`;
 
-/** What things hide from the sun, flat on the ground. */
+/** Shadows of objects on the ground. */
 const kShadowVertex = `${kPlacing}
 uniform float ground;
 void main() {
@@ -70,19 +70,19 @@ uniform float darkness;
 out vec4 color;
 void main() { color = vec4(0, 0, 0, darkness); }`;
 
-/** The thing that is seen, as a colour. */
+/** Visible object, as a color. */
 const kPickVertex = `${kPlacing}
-flat out int thing;
+flat out int object;
 void main() {
   vec4 rotation, at = place(rotation);
-  thing = int(style.x) + 1;
+  object = int(style.x) + 1;
   gl_Position = at.w > 0.0 ? camera * vec4(at.xyz, 1) : vec4(0, 0, 2, 1);
 }`;
 const kPickFragment = `#version 300 es
 precision highp float;
-flat in int thing;
+flat in int object;
 out vec4 color;
-void main() { color = vec4(float(thing & 255), float(thing >> 8 & 255), float(thing >> 16 & 255), 255) / 255.0; }`;
+void main() { color = vec4(float(object & 255), float(object >> 8 & 255), float(object >> 16 & 255), 255) / 255.0; }`;
 
 const kGroundVertex = `#version 300 es
 precision highp float;

@@ -1,6 +1,6 @@
 'use strict';
 
-/** Draws the things of a bake at a frame. */
+/** Draws the objects of a bake at a frame. */
 class View {
   constructor(canvas, bake) {
     this.canvas = canvas;
@@ -9,13 +9,13 @@ class View {
     if (!gl) throw new Error('This browser has no WebGL 2, by which the run is drawn.');
     this.camera = new Camera();
     this.programs = {
-      things: program(gl, kThingVertex, kThingFragment),
+      objects: program(gl, kObjectVertex, kObjectFragment),
       shadow: program(gl, kShadowVertex, kShadowFragment),
       pick: program(gl, kPickVertex, kPickFragment),
       ground: program(gl, kGroundVertex, kGroundFragment),
     };
     this.makeBuffers();
-    this.poses = new Float32Array(8 * Math.max(bake.things.length, 1));
+    this.poses = new Float32Array(8 * Math.max(bake.objects.length, 1));
     this.poseTexture = table(gl, this.poses);
     this.materialTexture = table(gl, Float32Array.from(bake.materials.flatMap(m => [...m.color, m.opacity, m.roughness, 0, 0, 0])));
     this.ground = Math.min(boundsAt(bake, 0)[0][1], boundsAt(bake, bake.times.length - 1)[0][1]);
@@ -47,12 +47,12 @@ class View {
     gl.vertexAttribPointer(0, 2, gl.FLOAT, false, 0, 0);
   }
 
-  /** Puts all things where they are at a frame. Returns how many are there. */
+  /** Places all objects at a frame. Returns the number of visible ones. */
   place(frame) {
-    const gl = this.gl, {things} = this.bake;
+    const gl = this.gl, {objects} = this.bake;
     let there = 0;
-    things.forEach((thing, i) => {
-      const pose = poseAt(thing, frame);
+    objects.forEach((object, i) => {
+      const pose = poseAt(object, frame);
       this.poses.set(pose ? [pose[0], pose[1], pose[2], 1, ...pose.slice(3)] : [0, 0, 0, 0, 0, 0, 0, 1], 8 * i);
       there += pose ? 1 : 0;
     });
@@ -63,17 +63,17 @@ class View {
   }
 
   deform(frame) {
-    const deforming = this.bake.things.filter(thing => thing.deformedCount > 0);
+    const deforming = this.bake.objects.filter(object => object.deformedCount > 0);
     if (deforming.length === 0) return;
-    for (const thing of deforming) {
-      const points = deformedAt(thing, frame);
-      for (const [vertex, point] of thing.vertices) this.vertices.set(points.subarray(3 * point, 3 * point + 3), 8 * vertex);
+    for (const object of deforming) {
+      const points = deformedAt(object, frame);
+      for (const [vertex, point] of object.vertices) this.vertices.set(points.subarray(3 * point, 3 * point + 3), 8 * vertex);
     }
     this.gl.bindBuffer(this.gl.ARRAY_BUFFER, this.vertexBuffer);
     this.gl.bufferSubData(this.gl.ARRAY_BUFFER, 0, this.vertices);
   }
 
-  /** Fits the canvas to its place on the screen. */
+  /** Fits the canvas to its size on the screen. */
   fit() {
     const scale = window.devicePixelRatio || 1;
     const width = Math.max(1, Math.round(scale * this.canvas.clientWidth));
@@ -90,11 +90,11 @@ class View {
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-    this.drawThings(0, this.opaqueCount);
+    this.drawObjects(0, this.opaqueCount);
     gl.depthMask(false);
     this.drawGround();
     this.drawShadow();
-    this.drawThings(this.opaqueCount, this.clearCount);
+    this.drawObjects(this.opaqueCount, this.clearCount);
     gl.depthMask(true);
   }
 
@@ -112,8 +112,8 @@ class View {
     return found;
   }
 
-  drawThings(first, count) {
-    const gl = this.gl, used = this.use('things');
+  drawObjects(first, count) {
+    const gl = this.gl, used = this.use('objects');
     gl.uniform1f(used.at('selected'), this.selected);
     gl.uniform3fv(used.at('eye'), this.camera.eye());
     gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 4 * first);
@@ -122,7 +122,7 @@ class View {
   drawShadow() {
     const gl = this.gl, used = this.use('shadow');
     gl.uniform1f(used.at('ground'), this.ground);
-    gl.enable(gl.STENCIL_TEST);  // dark once, however many lie over each other
+    gl.enable(gl.STENCIL_TEST);  // overlapping shadows darken only once
     gl.stencilFunc(gl.EQUAL, 0, 255);
     gl.stencilOp(gl.KEEP, gl.KEEP, gl.INCR);
     gl.enable(gl.POLYGON_OFFSET_FILL);
@@ -145,7 +145,7 @@ class View {
     gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
   }
 
-  /** The number of the thing under a place of the canvas, in CSS pixels; -1: none. */
+  /** Index of the object at a point of the canvas, in CSS pixels; -1: none. */
   pick(x, y) {
     const gl = this.gl, scale = this.canvas.width / Math.max(this.canvas.clientWidth, 1), pixel = new Uint8Array(4);
     this.fit();
@@ -163,7 +163,7 @@ class View {
   }
 }
 
-/** A picture of numbers beside the one on the screen. */
+/** An offscreen picture of object indices. */
 class PickTarget {
   constructor(gl, width, height) {
     this.gl = gl;
@@ -184,19 +184,19 @@ class PickTarget {
   }
 }
 
-/** All things in one mesh: vertices of place, normal, thing and material; triangles of what is opaque first. */
+/** All objects in one mesh: vertices with position, normal, object and material; opaque triangles first. */
 function meshOf(bake) {
   const vertices = [], opaque = [], clear = [];
-  bake.things.forEach((thing, number) => {
-    thing.vertices = [];
-    thing.triangles.forEach((triangles, slot) => {
-      const material = thing.materials[slot], made = new Map();
+  bake.objects.forEach((object, number) => {
+    object.vertices = [];
+    object.triangles.forEach((triangles, slot) => {
+      const material = object.materials[slot], made = new Map();
       const list = bake.materials[material].opacity < 1 ? clear : opaque;
       for (const point of triangles) {
         if (!made.has(point)) {
           made.set(point, vertices.length / 8);
-          thing.vertices.push([vertices.length / 8, point]);
-          vertices.push(...thing.points.subarray(3 * point, 3 * point + 3), ...thing.normals.subarray(3 * point, 3 * point + 3),
+          object.vertices.push([vertices.length / 8, point]);
+          vertices.push(...object.points.subarray(3 * point, 3 * point + 3), ...object.normals.subarray(3 * point, 3 * point + 3),
                         number, material);
         }
         list.push(made.get(point));

@@ -6,16 +6,16 @@
 
 namespace griffith::app {
 
-/// The poses that tell where a thing was in all frames, by their numbers: the first one, and the ends of all stretches
-/// in which it rests.
-inline std::vector<int> pose_keys(const BakedThing& thing) {
+/// Returns the frames whose poses determine the motion of an object: the first one, and both ends of all intervals at
+/// rest.
+inline std::vector<int> pose_keys(const BakedObject& object) {
   const auto rests = [&](int from) {
-    const Pose &a = thing.poses[from], &b = thing.poses[from + 1];
+    const Pose &a = object.poses[from], &b = object.poses[from + 1];
     return a.translation == b.translation && a.rotation.coeffs() == b.rotation.coeffs();
   };
   std::vector<int> keys = {0};
-  for (int i = 1; i < std::ssize(thing.poses); ++i)
-    if (!rests(i - 1) || (i + 1 < std::ssize(thing.poses) && !rests(i))) keys.push_back(i);
+  for (int i = 1; i < std::ssize(object.poses); ++i)
+    if (!rests(i - 1) || (i + 1 < std::ssize(object.poses) && !rests(i))) keys.push_back(i);
   return keys;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// tinygltf without pictures: nothing here has textures. tiny_gltf.cpp has its definitions.
+// tinygltf without images: nothing here has textures. tiny_gltf.cpp has its definitions.
 #define TINYGLTF_NO_STB_IMAGE
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #define TINYGLTF_NO_EXTERNAL_IMAGE

@@ -6,12 +6,12 @@
 namespace griffith::app {
 namespace {
 
-/// "<frame>: <text of the key>" of each key, as time samples want it.
+/// Writes "<frame>: <text of the key>" for each key, the form of time samples.
 template <class Text>
-void append_samples(UsdaText& usda, const std::string& attribute, const BakedThing& thing, const Text& text) {
+void append_samples(UsdaText& usda, const std::string& attribute, const BakedObject& object, const Text& text) {
   usda.open(attribute + " =");
-  for (const int key : pose_keys(thing))
-    usda.line(std::to_string(thing.first_frame + key) + ": " + text(thing.poses[key]) + ",");
+  for (const int key : pose_keys(object))
+    usda.line(std::to_string(object.first_frame + key) + ": " + text(object.poses[key]) + ",");
   usda.close();
 }
 
@@ -22,23 +22,24 @@ std::string orientation(const Pose& pose) {
 
 std::string translation(const Pose& pose) { return usda_tuple(pose.translation); }
 
-void append_motion(UsdaText& usda, const BakedThing& thing) {
-  append_samples(usda, "double3 xformOp:translate.timeSamples", thing, translation);
-  append_samples(usda, "quatf xformOp:orient.timeSamples", thing, orientation);
+void append_motion(UsdaText& usda, const BakedObject& object) {
+  append_samples(usda, "double3 xformOp:translate.timeSamples", object, translation);
+  append_samples(usda, "quatf xformOp:orient.timeSamples", object, orientation);
   usda.line(R"(uniform token[] xformOpOrder = ["xformOp:translate", "xformOp:orient"])");
-  if (thing.first_frame == 0) return;
+  if (object.first_frame == 0) return;
   usda.open("token visibility.timeSamples =");
   usda.line("0: \"invisible\",");
-  usda.line(std::to_string(thing.first_frame) + ": \"inherited\",");
+  usda.line(std::to_string(object.first_frame) + ": \"inherited\",");
   usda.close();
 }
 
-void append_properties(UsdaText& usda, const BakedThing& thing) {
-  usda.line("custom double griffith:mass = " + usda_number(thing.mass));
-  usda.line("custom bool griffith:isSupported = " + std::to_string(thing.is_supported));
-  usda.line("custom int griffith:sceneBody = " + std::to_string(thing.scene_body));
-  if (thing.break_time) usda.line("custom double griffith:breakTime = " + usda_number(*thing.break_time));
-  if (thing.broke_scaled) usda.line("custom double griffith:scaleFactor = " + usda_number(thing.broke_scaled->factor));
+void append_properties(UsdaText& usda, const BakedObject& object) {
+  usda.line("custom double griffith:mass = " + usda_number(object.mass));
+  usda.line("custom bool griffith:isSupported = " + std::to_string(object.is_supported));
+  usda.line("custom int griffith:sceneBody = " + std::to_string(object.scene_body));
+  if (object.break_time) usda.line("custom double griffith:breakTime = " + usda_number(*object.break_time));
+  if (object.broke_scaled)
+    usda.line("custom double griffith:scaleFactor = " + usda_number(object.broke_scaled->factor));
 }
 
 void append_corners(std::string& text, const std::vector<std::array<int, 3>>& triangles) {
@@ -61,17 +62,17 @@ void append_subset(UsdaText& usda, const std::string& name, const std::string& f
   usda.close();
 }
 
-void append_deformation(UsdaText& usda, const BakedThing& thing) {
-  if (thing.deformed_points.empty()) return;
+void append_deformation(UsdaText& usda, const BakedObject& object) {
+  if (object.deformed_points.empty()) return;
   usda.open("point3f[] points.timeSamples =");
-  for (std::size_t i = 0; i < thing.deformed_points.size(); ++i)
-    usda.line(std::to_string(static_cast<std::size_t>(thing.first_frame) + i) + ": " +
-              usda_array(thing.deformed_points[i]) + ",");
+  for (std::size_t i = 0; i < object.deformed_points.size(); ++i)
+    usda.line(std::to_string(static_cast<std::size_t>(object.first_frame) + i) + ": " +
+              usda_array(object.deformed_points[i]) + ",");
   usda.close();
 }
 
-void append_mesh(UsdaText& usda, const BakedThing& thing, const std::vector<BakedMaterial>& materials) {
-  const BakedMesh& mesh = thing.mesh;
+void append_mesh(UsdaText& usda, const BakedObject& object, const std::vector<BakedMaterial>& materials) {
+  const BakedMesh& mesh = object.mesh;
   std::string counts, corners;
   for (const std::vector<std::array<int, 3>>& triangles : mesh.triangles) {
     for (std::size_t i = 0; i < triangles.size(); ++i) counts += counts.empty() ? "3" : ", 3";
@@ -85,7 +86,7 @@ void append_mesh(UsdaText& usda, const BakedThing& thing, const std::vector<Bake
   usda.line("int[] faceVertexCounts = [" + counts + "]");
   usda.line("int[] faceVertexIndices = [" + corners + "]");
   usda.line("point3f[] points = " + usda_array(mesh.points));
-  append_deformation(usda, thing);
+  append_deformation(usda, object);
   usda.line("normal3f[] normals = " + usda_array(mesh.normals) + " (interpolation = \"vertex\")");
   usda.line("texCoord2f[] primvars:st = " + usda_array(mesh.uvs) + " (interpolation = \"vertex\")");
   constexpr const char* kSubsets[kLooks] = {"outside", "inside", "mortar"};
@@ -93,17 +94,17 @@ void append_mesh(UsdaText& usda, const BakedThing& thing, const std::vector<Bake
   for (int look = 0; look < kLooks; ++look) {
     const std::size_t count = mesh.triangles[look].size();
     if (count > 0)
-      append_subset(usda, kSubsets[look], consecutive(first, count), materials[thing.materials[look]].name);
+      append_subset(usda, kSubsets[look], consecutive(first, count), materials[object.materials[look]].name);
     first += count;
   }
   usda.close();
 }
 
-void append_thing(UsdaText& usda, const BakedThing& thing, const std::vector<BakedMaterial>& materials) {
-  usda.open("def Xform \"" + thing.name + "\"");
-  append_motion(usda, thing);
-  append_properties(usda, thing);
-  append_mesh(usda, thing, materials);
+void append_object(UsdaText& usda, const BakedObject& object, const std::vector<BakedMaterial>& materials) {
+  usda.open("def Xform \"" + object.name + "\"");
+  append_motion(usda, object);
+  append_properties(usda, object);
+  append_mesh(usda, object, materials);
   usda.close();
 }
 
@@ -121,14 +122,14 @@ void append_material(UsdaText& usda, const BakedMaterial& material) {
   usda.close();
 }
 
-/// Bonds are a prim of arrays, one entry a bond.
+/// Writes the bonds as one prim of arrays, one element for each bond.
 void append_bonds(UsdaText& usda, const Bake& bake) {
   std::vector<Vec3> centers, normals;
   std::string from, to, areas, strengths, break_times;
   const auto append = [](std::string& list, const std::string& entry) { list += (list.empty() ? "" : ", ") + entry; };
   for (const BakedBond& bond : bake.bonds) {
-    append(from, '"' + bake.things[bond.a].name + '"');
-    append(to, '"' + bake.things[bond.b].name + '"');
+    append(from, '"' + bake.objects[bond.a].name + '"');
+    append(to, '"' + bake.objects[bond.b].name + '"');
     append(areas, usda_number(bond.area));
     append(strengths, usda_number(bond.strength));
     append(break_times, bond.break_time ? usda_number(*bond.break_time) : "inf");
@@ -154,7 +155,7 @@ std::string usda_file(const Bake& bake) {
   usda.open("def Scope \"Materials\"");
   for (const BakedMaterial& material : bake.materials) append_material(usda, material);
   usda.close();
-  for (const BakedThing& thing : bake.things) append_thing(usda, thing, bake.materials);
+  for (const BakedObject& object : bake.objects) append_object(usda, object, bake.materials);
   append_bonds(usda, bake);
   usda.close();
   return usda.text();

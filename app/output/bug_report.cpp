@@ -4,20 +4,20 @@ namespace griffith::app {
 namespace {
 
 constexpr char kReadme[] =
-    "A bug report of Griffith: a run with all that is needed to make it again.\n"
+    "A bug report of Griffith: a run with everything needed to repeat it.\n"
     "\n"
-    "  griffith replay FILE                  makes the run again from this archive, and tells the first step that "
+    "  griffith replay FILE                  repeats the run from this archive, and reports the first step that "
     "differs\n"
-    "  griffith replay FILE --extract DIR    unpacks it; tar --zstd -xf FILE does, too\n"
+    "  griffith replay FILE --extract DIR    unpacks it; so does tar --zstd -xf FILE\n"
     "  griffith DIR/scene.json               opens its scene in the editor\n"
     "\n"
-    "scene.json      the scene as the run began\n"
-    "assets/         the files that it is built from, and the meshes that filled its surfaces\n"
+    "scene.json      the scene at the start of the run\n"
+    "assets/         its files, and the meshes of its surfaces\n"
     "inputs.json     shots and changes of material, with their steps\n"
     "hashes.csv      hashes of the state after each step, by field\n"
-    "versions.json   what made the run\n"
-    "log.txt         what was said meanwhile\n"
-    "screenshot.png  the last step, where there were graphics to draw it\n";
+    "versions.json   versions of the program and its libraries\n"
+    "log.txt         messages\n"
+    "screenshot.png  the last step, if graphics were available\n";
 
 }  // namespace
 

@@ -8,14 +8,14 @@
 
 namespace griffith::app {
 
-/// What a bug report holds beside the recorded run.
+/// Parts of a bug report besides the recorded run.
 struct ReportParts {
-  std::string log;                       ///< lines of what happened
-  std::optional<render::Image> picture;  ///< of the last step, where there are graphics
+  std::string log;                       ///< messages
+  std::optional<render::Image> picture;  ///< picture of the last step, if graphics are available
 };
 
-/// Puts them into the recording as log.txt, below what it holds, and screenshot.png, with a README.txt that says how to
-/// replay it.
+/// Adds the parts to the recording as log.txt, after its present content, and screenshot.png, with a README.txt about
+/// replaying it.
 void add_report(Recording& recording, const ReportParts& parts);
 
 }  // namespace griffith::app

@@ -6,9 +6,9 @@
 
 namespace griffith::app {
 
-/// All crack events of a run, oldest first, as a JSON array of objects in SI units: `step`, `time`, `body`, `children`,
-/// `node`, `position`, `rest_position`, `normal`, `eigenvalue`, `load`, `resistance`, `nodes_made`, `torn_off` and
-/// `elements` with `tet`, `above` and the forces `tensile` and `compressive` on the node.
+/// Returns all crack events of a run, oldest first, as a JSON array of objects in SI units: `step`, `time`, `body`,
+/// `children`, `node`, `position`, `rest_position`, `normal`, `eigenvalue`, `load`, `resistance`, `nodes_made`,
+/// `torn_off` and `elements` with `tet`, `above` and the forces `tensile` and `compressive` on the node.
 std::string crack_events_json(const Frame& frame);
 
 }  // namespace griffith::app

@@ -15,7 +15,7 @@ void append_csv_number(std::string& csv, double value) {
 
 namespace {
 
-/// True if a spreadsheet would take the text for a formula; a number it would not.
+/// True if a spreadsheet would take the text for a formula rather than a number.
 bool is_formula(const std::string& text) {
   double number = 0;
   return !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos &&

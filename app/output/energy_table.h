@@ -6,9 +6,9 @@
 
 namespace griffith::app {
 
-/// The energy account as CSV (RFC 4180): step, time, one column an entry of energy_entries(), `unaccounted` and the
-/// area of cracks; since the start, one row a frame from the start on. Numbers are the shortest that read back as the
-/// same double.
+/// Energy account as CSV (RFC 4180): step, time, one column for each of energy_entries(), `unaccounted` and the area of
+/// cracks, accumulated since the start, one row for each frame. Numbers are the shortest that read back as the same
+/// double.
 class EnergyTable {
  public:
   /// Writes the heading and the row of `frame`.

@@ -8,8 +8,8 @@
 namespace griffith::app {
 namespace {
 
-/// The arrays that a frame does not hold in the form that a file wants; they live as long as the fields that show them.
-/// Points are the nodes, then the middles of the edges of quadratic tets.
+/// Arrays that a frame lacks in the form of a file; they must outlive the fields that refer to them. Points are the
+/// nodes, then the midpoints of the edges of quadratic tets.
 struct ExportArrays {
   std::vector<Vec3> positions, displacements, velocities, reactions, separation_directions;
   std::vector<std::array<std::int32_t, 6>> middles;
@@ -17,7 +17,7 @@ struct ExportArrays {
   std::vector<std::int32_t> bodies, scene_bodies;
 };
 
-/// Appends to values of nodes the means of edges' ends.
+/// Appends the means of edges' end values to values of nodes.
 template <class T>
 void append_means(const Frame& frame, std::vector<T>& values) {
   for (const auto& [a, b] : frame.edges.ends) values.push_back(0.5 * (values[a] + values[b]));
@@ -95,7 +95,7 @@ void export_gmsh(const std::filesystem::path& path, const Frame& frame) {
 
 void check_export_path(const std::filesystem::path& path) {
   if (path.extension() == ".vtu" || path.extension() == ".msh") return;
-  throw InputError(path.string(), "is no kind of file that frames are exported to", "end its name in .vtu or .msh");
+  throw InputError(path.string(), "has no supported extension", "use .vtu or .msh");
 }
 
 void export_frame(const std::filesystem::path& path, const Frame& frame) {

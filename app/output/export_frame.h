@@ -6,13 +6,13 @@
 
 namespace griffith::app {
 
-/// Throws InputError unless export_frame() knows the file's ending: to be called before the work, not after it.
+/// Throws InputError unless export_frame() supports the file's extension. Call it before long work.
 void check_export_path(const std::filesystem::path& path);
 
 /// Writes the deformed mesh of a frame for other programs: .vtu with every field (displacement, velocity, reaction,
 /// separation stress, resistance, utilization and direction per node; stress, von Mises stress, body and scene body per
-/// tet), .msh the mesh alone. The file is replaced as a whole. Throws InputError for another ending, or when it cannot
-/// be written.
+/// tet), .msh with the mesh alone. The file is replaced atomically. Throws InputError for another extension, or if it
+/// cannot be written.
 void export_frame(const std::filesystem::path& path, const Frame& frame);
 
 }  // namespace griffith::app

@@ -22,12 +22,12 @@ void add_polygon(PieceSurface& surface, const Polygon& points, Look look) {
   surface.looks.push_back(look);
 }
 
-/// The body that owns the splinter of a part.
+/// Returns the body that owns the splinter of a part.
 BodyId body_of(const Frame& frame, int part) {
   return frame.elements.bodies[frame.splinters.splinters[frame.splinters.parts[part].splinter].owner];
 }
 
-/// `is_skinned`: per scene body, whether its splinters have walls alone.
+/// Adds the splinters. `is_skinned`: per scene body, true if only walls of its splinters are drawn.
 void add_splinters(std::span<PieceSurface> surfaces, const Frame& frame, const std::vector<bool>& is_skinned) {
   for (const SplinterFace& face : frame.splinters.faces) {
     const BodyId body = body_of(frame, face.part);
@@ -51,7 +51,7 @@ void add_tet(PieceSurface& surface, const Frame& frame, TetId tet, bool cracks_o
   }
 }
 
-/// The normal of a corner of the skin as the tet that carries it has turned and stretched it since the start.
+/// Returns the normal of a corner of the skin, transformed with the deformation of its tet since the start.
 Vec3 skin_normal(const Frame& frame, const SkinCorner& corner) {
   const TetId tet = skin_carrier(frame, corner.part);
   Corners corners;
@@ -131,7 +131,7 @@ void export_pieces(const std::filesystem::path& folder, const Frame& frame, cons
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (!std::filesystem::is_directory(folder))
-    throw InputError(folder.string(), "is no folder and cannot be made one", "name a folder that may be written to");
+    throw InputError(folder.string(), "cannot be created as a folder", "name a writable folder");
   const FrameWithShards sharded(frame, shards);
   const std::vector<PieceSurface> surfaces = piece_surfaces(sharded.frame(), shards.skins());
   for (const BodyView& body : frame.bodies) {

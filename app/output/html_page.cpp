@@ -37,7 +37,7 @@ td.number, th.number { text-align: right; }
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
 
-/// What stands for an ASCII character, where it does not stand for itself.
+/// Returns the replacement of an ASCII character; empty if it needs none.
 std::optional<std::string_view> escaped(char c) {
   switch (c) {
     case '&':

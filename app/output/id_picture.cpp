@@ -8,9 +8,9 @@ namespace griffith::app {
 namespace {
 
 constexpr std::uint32_t kColors = 1u << 24;
-constexpr std::uint32_t kSpread = 0x9E3779 | 1;  // odd, so that multiplication modulo 2^24 can be undone
+constexpr std::uint32_t kSpread = 0x9E3779 | 1;  // odd, so that multiplication modulo 2^24 is invertible
 
-/// The factor that undoes `factor` modulo 2^32, and so 2^24: Newton's iteration doubles the bits that are right.
+/// Returns the inverse of `factor` modulo 2^32, and so 2^24: Newton's iteration doubles the correct bits.
 constexpr std::uint32_t inverse(std::uint32_t factor) {
   std::uint32_t result = factor;
   for (int i = 0; i < 5; ++i) result *= 2 - factor * result;
@@ -25,7 +25,7 @@ render::Image id_picture(const render::IdImage& ids) {
   picture.rgba.reserve(4 * ids.ids.size());
   for (const std::int32_t id : ids.ids) {
     const std::uint32_t number = static_cast<std::uint32_t>(id) + 1;  // 0 for kNoId
-    if (number >= kColors) throw render::RenderError("no colour is left for the id " + std::to_string(id));
+    if (number >= kColors) throw render::RenderError("there is no color for the id " + std::to_string(id));
     const std::uint32_t color = number * kSpread % kColors;
     for (const int shift : {16, 8, 0}) picture.rgba.push_back(static_cast<std::uint8_t>(color >> shift));
     picture.rgba.push_back(255);

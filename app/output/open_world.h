@@ -8,10 +8,10 @@
 
 namespace griffith::app {
 
-/// Prints warnings to the standard error output, the first twenty in full. Places without a file get `scene_file`.
+/// Prints warnings to stderr, the first twenty in full. Places without a file get `scene_file`.
 void print_warnings(const std::filesystem::path& scene_file, std::span<const InputError> warnings);
 
-/// As make_world() on the terminal, then prints the findings of its world: a command's way to open a scene.
+/// Opens a scene for a command: make_world() with progress on the terminal, then prints the warnings of its world.
 World open_world(const Scene& scene, const std::filesystem::path& scene_file);
 
 }  // namespace griffith::app

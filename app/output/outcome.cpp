@@ -21,7 +21,7 @@ double first_crack_time(const EndOfRun& run) {
   return run.frame.crack_events.empty() ? kNever : run.frame.crack_events.front().time;
 }
 
-/// Mass without the projectiles, so that it stays what it was [kg].
+/// Returns the mass without projectiles, which stays constant [kg].
 double mass_of_bodies(const Frame& frame) {
   return std::accumulate(frame.nodes.masses.begin(), frame.nodes.masses.end(), 0.0);
 }
@@ -29,30 +29,30 @@ double mass_of_bodies(const Frame& frame) {
 using Run = EndOfRun;
 using enum OutcomeListing;
 
-/// Outcomes that have a column wherever runs are compared.
+/// Returns the outcomes with a column in every comparison of runs.
 std::vector<OutcomeKind> main_outcomes() {
   return {
-      {"pieces", "", "Connected pieces at the end, bodies that never broke among them", main,
+      {"pieces", "", "Connected pieces at the end, including unbroken bodies", main,
        [](const Run& run) { return static_cast<double>(run.frame.bodies.size()); }},
       {"fragments", "", "Pieces beyond the scene's own bodies", main,
        [](const Run& run) { return static_cast<double>(run.frame.fragments); }},
-      {"largest_piece", "-", "Mass of the heaviest piece over that of all", main, largest_fraction},
-      {"mass_p10", "kg", "Mass below which a tenth of the pieces lie", main,
+      {"largest_piece", "-", "Mass of the heaviest piece over the total mass", main, largest_fraction},
+      {"mass_p10", "kg", "Mass that a tenth of the pieces do not reach", main,
        [](const Run& run) { return quantile(run.masses, 0.1); }},
       {"mass_p50", "kg", "Mass of the median piece", main, [](const Run& run) { return quantile(run.masses, 0.5); }},
-      {"mass_p90", "kg", "Mass below which nine tenths of the pieces lie", main,
+      {"mass_p90", "kg", "Mass that nine tenths of the pieces do not reach", main,
        [](const Run& run) { return quantile(run.masses, 0.9); }},
-      {"crack_events", "", "Nodes at which the mesh parted", main,
+      {"crack_events", "", "Nodes at which the mesh separated", main,
        [](const Run& run) { return static_cast<double>(run.frame.crack_events.size()); }},
-      {"crack_area", "m²", "Area that cracks opened, one side of each", main,
+      {"crack_area", "m²", "Area of cracks, counting one side", main,
        [](const Run& run) { return run.frame.energy.crack_area; }},
-      {"first_crack_time", "s", "When the first node parted; infinite, in tables empty, where none did", main,
+      {"first_crack_time", "s", "Time of the first crack; infinite, or empty in tables, if there is none", main,
        first_crack_time},
-      {"breaking_time", "s", "End of the step in which the first fragment came off; infinite, in tables empty, without",
-       main, [](const Run& run) { return run.tally.breaking_time; }},
+      {"breaking_time", "s", "End of the step with the first fragment; infinite, or empty in tables, without", main,
+       [](const Run& run) { return run.tally.breaking_time; }},
       {"peak_utilization", "-", "Highest load over resistance of any node in any step", main,
        [](const Run& run) { return run.tally.peak_utilization; }},
-      {"torn_supports", "", "Cracks at which a support lost its hold", main,
+      {"torn_supports", "", "Cracks at which a support came off", main,
        [](const Run& run) {
          return static_cast<double>(std::ranges::count(run.frame.crack_events, true, &CrackEvent::torn_off));
        }},
@@ -60,22 +60,22 @@ std::vector<OutcomeKind> main_outcomes() {
        [](const Run& run) { return run.frame.totals.kinetic_energy; }},
       {"elastic_energy", "J", "Elastic energy at the end", main,
        [](const Run& run) { return run.frame.totals.elastic_energy; }},
-      {"fracture_energy", "J", "What opening the cracks would take, by toughness and area", main,
+      {"fracture_energy", "J", "Energy of the crack surfaces, from toughness and area", main,
        [](const Run& run) { return run.frame.energy.fracture_energy; }},
-      {"energy_put_in", "J", "What projectiles, gravity, loads and supports put in", main,
+      {"energy_put_in", "J", "Energy supplied by projectiles, gravity, loads and supports", main,
        [](const Run& run) { return run.frame.energy.put_in(); }},
-      {"energy_lost", "J", "What contacts, damping and plastic flow took", main,
+      {"energy_lost", "J", "Energy dissipated by contacts, damping and plastic flow", main,
        [](const Run& run) { return run.frame.energy.lost(); }},
-      {"energy_unaccounted", "J", "What the account of energy lacks: an error of the numbers", main,
+      {"energy_unaccounted", "J", "Energy that the account does not explain: the numerical error", main,
        [](const Run& run) { return run.frame.energy.unaccounted(); }},
-      {"least_scaling", "-", "Least factor by which an impact was scaled for the step budget; 1: none was", main,
+      {"least_scaling", "-", "Smallest factor of an impact scaled for the step budget; 1: none", main,
        [](const Run& run) { return run.tally.least_scaling; }},
       {"trouble", "", "Unconverged solves, inverted tetrahedra and values that are not finite", main,
        [](const Run& run) { return static_cast<double>(run.tally.trouble); }},
   };
 }
 
-/// What statistics have besides, but for counters and energies.
+/// Returns the other outcomes of statistics, except counters and energies.
 std::vector<OutcomeKind> other_outcomes() {
   std::vector<OutcomeKind> kinds = {
       {"tets", "", "Tetrahedra", more,
@@ -106,7 +106,7 @@ OutcomeKind counter_outcome(const StepCounter& counter) {
   return {std::string(counter.key), std::string(counter.unit), std::string(counter.meaning), more, value};
 }
 
-/// The account of energy, entry by entry.
+/// Returns the entries of the energy account.
 std::vector<OutcomeKind> energy_outcomes() {
   std::vector<OutcomeKind> kinds;
   for (const EnergyEntry& entry : energy_entries()) {
@@ -154,7 +154,7 @@ std::size_t outcome_index(std::string_view key, const std::string& where) {
   if (found != outcome_kinds().end()) return static_cast<std::size_t>(found - outcome_kinds().begin());
   std::vector<std::string_view> known;
   for (const OutcomeKind& kind : outcome_kinds()) known.emplace_back(kind.key);
-  throw InputError(where, "\"" + std::string(key) + "\" is no outcome", suggestion(key, known));
+  throw InputError(where, "\"" + std::string(key) + "\" is not an outcome", suggestion(key, known));
 }
 
 Outcomes outcomes_of(const Frame& frame, const RunTally& tally) {

@@ -26,7 +26,7 @@ std::string formatted(const char* format, std::va_list arguments) {
   return text;
 }
 
-/// Line breaks are the program's own: print() makes columns and paragraphs of several.
+/// Prints text with the program's own line breaks, for columns and paragraphs.
 void print_lines(std::FILE* file, std::string_view text) {
   while (!text.empty()) {
     const std::size_t end = text.find('\n');
@@ -37,7 +37,7 @@ void print_lines(std::FILE* file, std::string_view text) {
   }
 }
 
-/// Characters that no terminal shows, but obeys: C0, DEL, C1, and marks that reorder or hide what is beside them.
+/// True for invisible characters that control a terminal: C0, DEL, C1, and marks that reorder or hide their neighbors.
 bool is_control(std::uint32_t code) {
   return code < 0x20 || (code >= 0x7F && code < 0xA0) || (code >= 0x200B && code <= 0x200F) ||
          (code >= 0x2028 && code <= 0x202E) || (code >= 0x2060 && code <= 0x206F) || code == 0xFEFF;
@@ -90,23 +90,23 @@ void save_picture(const std::filesystem::path& path, const render::Image& image)
 }
 
 void check_folder(const std::filesystem::path& folder) {
-  if (folder.empty()) throw InputError("the folder", "has no path", "name a folder that may be written to");
+  if (folder.empty()) throw InputError("the folder", "has no path", "name a writable folder");
   std::error_code error;
   std::filesystem::path there = std::filesystem::absolute(folder).lexically_normal();
   while (!std::filesystem::exists(there, error) && there.has_relative_path()) there = there.parent_path();
   if (!std::filesystem::is_directory(there, error) || access(there.c_str(), W_OK | X_OK) != 0)
-    throw InputError(folder.string(), "is no folder and cannot be made one", "name a folder that may be written to");
+    throw InputError(folder.string(), "cannot be created as a folder", "name a writable folder");
   remove_stale_files(folder);
 }
 
 void check_stdout() {
   const bool failed_before = std::ferror(stdout) != 0;
   bool written = std::fflush(stdout) == 0 && !failed_before;
-  // Some file systems report a failed write only when the file is closed; a copy's closing tells, too.
+  // Some file systems report a failed write only when the file is closed; closing a copy reports it too.
   if (const int copy = dup(STDOUT_FILENO); written && copy >= 0) written = close(copy) == 0;
   if (written) return;
   const std::string reason = failed_before ? "" : ": " + std::generic_category().message(errno);
-  throw InputError("stdout", "cannot be written" + reason, "send the output where there is room");
+  throw InputError("stdout", "cannot be written" + reason, "free some space");
 }
 
 void Outputs::write(const std::function<void()>& output) try { output(); } catch (const InputError& error) {

@@ -11,33 +11,33 @@
 
 namespace griffith::app {
 
-/// Text as a terminal may be given it: control characters (also those of Unicode that turn the direction of writing)
-/// and bytes that are not UTF-8 stand as escapes, "\\x1b". All that is printed may come from a file of somebody else's.
+/// Makes text safe for a terminal: control characters (including Unicode marks that change the writing direction) and
+/// bytes that are not UTF-8 become escapes, "\\x1b". Any printed text may come from a foreign file.
 std::string printable(std::string_view text);
 
-/// Prints to stdout, or to stderr, as printf() does, what printable() makes of each line.
+/// Prints to stdout, or to stderr, like printf(), with printable() applied to each line.
 [[gnu::format(printf, 1, 2)]] void print(const char* format, ...);
 [[gnu::format(printf, 1, 2)]] void print_error(const char* format, ...);
 
-/// Prints an error to stderr: place and problem, and below them the remedy.
+/// Prints an error to stderr: place and problem, then the remedy.
 void explain(const InputError& error);
 
-/// Writes a PNG file as replace_file() does. Throws InputError.
+/// Writes a PNG file with replace_file(). Throws InputError.
 void save_picture(const std::filesystem::path& path, const render::Image& image);
 
-/// Throws InputError when a folder of that name can be neither found nor made, or not written to. Removes stale files
-/// in it, as check_replaceable() does.
+/// Throws InputError if the folder can be neither found nor made, or not written to. Removes stale files in it like
+/// check_replaceable().
 void check_folder(const std::filesystem::path& folder);
 
-/// Throws InputError when anything that was printed to stdout did not get there: call it when all is printed.
+/// Throws InputError if output to stdout was lost; call it when everything is printed.
 void check_stdout();
 
-/// Writes the results of long work: one that cannot be written keeps none of the others from being written.
+/// Writes the results of long work; an error of one does not prevent the others from being written.
 class Outputs {
  public:
   /// Calls `output`, which may throw InputError.
   void write(const std::function<void()>& output);
-  /// Throws the last InputError, if there is any, when it has explained the ones before.
+  /// Throws the last InputError, if there is any, after explaining the earlier ones.
   void finish() const;
 
  private:

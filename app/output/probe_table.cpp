@@ -8,7 +8,7 @@ namespace griffith::app {
 
 ProbeTable::ProbeTable(const World& world, const std::filesystem::path& scene) : csv_("step,time [s]") {
   if (world.frame().probes.empty())
-    throw InputError(scene.string() + "#/probes", "are none", "add a probe to the scene");
+    throw InputError(scene.string() + "#/probes", "are missing", "add a probe to the scene");
   for (const std::string& column : probe_columns(world.frame().probes)) csv_.append(",").append(csv_field(column));
   csv_ += "\n";
   add(world);

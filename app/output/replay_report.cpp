@@ -23,7 +23,7 @@ std::string replay_report(const Recording& recording, const Replay& replay) {
   std::string report = place + " (of " + steps_text(recording.steps()) + "), in: " + joined(difference->fields) + "\n";
   const std::string rows = version_differences(recording.versions, versions_here());
   if (rows.empty()) return report + "Both were made by the same build on the same kind of machine.\n";
-  return report + "What made them differs in, first the recording's, then this program's:\n" + rows;
+  return report + "Differences of the programs, first the recording's, then this one's:\n" + rows;
 }
 
 }  // namespace griffith::app

@@ -6,8 +6,8 @@
 
 namespace griffith::app {
 
-/// What came of a replay, in lines: that all steps are equal, or the first that differs, in which fields, and what made
-/// the two runs.
+/// Describes the result of a replay: equality of all steps, or the first step and fields that differ and the programs
+/// that made the two runs.
 std::string replay_report(const Recording& recording, const Replay& replay);
 
 }  // namespace griffith::app

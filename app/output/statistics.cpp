@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::array<const char*, 7> kPhases = {"step",       "contact",  "elasticity", "shock",
                                                 "separation", "fracture", "processor"};
 
-/// Milliseconds of processor time that all threads have taken so far.
+/// Returns the processor time of all threads so far [ms].
 double processor_milliseconds() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 struct TimeSummary {
@@ -40,7 +40,7 @@ std::int64_t peak_memory_bytes() {
   return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
 }
 
-/// The place that a key names: "energy.gravity" a member of a member, "momentum.0" an item of a list.
+/// Returns the place of a key: "energy.gravity" is a member of a member, "momentum.0" an element of a list.
 Json& place_of(Json& json, std::string_view key) {
   const std::size_t dot = std::min(key.find('.'), key.size());
   const std::string_view name = key.substr(0, dot);
@@ -49,7 +49,7 @@ Json& place_of(Json& json, std::string_view key) {
   return dot == key.size() ? place : place_of(place, key.substr(dot + 1));
 }
 
-/// Of one scene body: the material that stood in for its own, and why.
+/// Returns the stand-in material of a scene body and its reason.
 Json scaled_json(int scene_body, const ScaledImpact& impact) {
   return {{"scene_body", scene_body},
           {"factor", impact.factor},
@@ -58,7 +58,7 @@ Json scaled_json(int scene_body, const ScaledImpact& impact) {
           {"reason", reason(impact)}};
 }
 
-/// Nodes of a scene body that opened while it was scaled.
+/// Returns the number of nodes of a scene body that opened while it was scaled.
 std::ptrdiff_t scaled_cracks(const Frame& frame, int scene_body) {
   return std::ranges::count_if(frame.crack_events, [&](const CrackEvent& event) {
     return event.scaled && frame.bodies[event.body].scene_body == scene_body;
@@ -75,7 +75,7 @@ Json broke_scaled_json(const Frame& frame) {
   return list;
 }
 
-/// Counts as whole numbers; null for what never came.
+/// Returns counts as integers, and null for a time that never came.
 Json number_of(const OutcomeKind& kind, double value) {
   if (!std::isfinite(value)) return nullptr;
   return kind.unit.empty() ? Json(static_cast<std::int64_t>(value)) : Json(value);

@@ -12,27 +12,26 @@
 
 namespace griffith::app {
 
-/// What happened over a run: counters over all steps, the times of each.
+/// Statistics of a run: totals of counters and times of all steps.
 class RunStatistics {
  public:
   /// `start`: the frame before the first step. `time_step` [s].
   RunStatistics(const Frame& start, double time_step, int threads);
 
-  /// Takes in the step that led to `frame`.
+  /// Adds the step that led to `frame`.
   void add(const Frame& frame);
 
-  /// One JSON object in SI units: outcome_kinds() by their keys, whose dots lead into objects and lists, null where
-  /// infinite. `ms` has the times in milliseconds of steps, of their phases, and `processor` time of all threads from
-  /// the end of one step to that of the next. `frame`: the last one.
-  /// `scaled_impacts` lists for each scene body whose impacts were scaled (ScaledImpact) the slowest, with the
-  /// effective material and the reason. `broke_scaled` lists by scene body what broke so (ScaledBreak): pieces that
-  /// there are of it, cracks, the smallest factor, the effective material and the reason.
+  /// Returns a JSON object in SI units: outcome_kinds() by their keys, whose dots separate nested members, null if
+  /// infinite. `ms` has the times in milliseconds of steps, of their phases, and `processor`, the time of all threads
+  /// between the ends of two steps. `scaled_impacts` lists the slowest scaled impact (ScaledImpact) of each scene body,
+  /// with the effective material and the reason. `broke_scaled` lists fracture under scaling (ScaledBreak) by scene
+  /// body: existing pieces, cracks, the smallest factor, the effective material and the reason. `frame`: the last one.
   std::string json(const Frame& frame, std::uint64_t state_hash) const;
 
-  /// What outcomes_of() needs of the steps so far.
+  /// Returns the input of outcomes_of() for the steps so far.
   const RunTally& tally() const { return tally_; }
 
-  /// Says it for a person, in a few lines.
+  /// Returns a summary of a few lines for people.
   std::string summary(const Frame& frame, std::uint64_t state_hash) const;
 
  private:
@@ -40,13 +39,14 @@ class RunStatistics {
   int threads_;
   RunTally tally_;
   struct ScaledBody {
-    std::int64_t step = 0;  ///< of the slowest
-    int impacts = 0;        ///< steps in which it or a piece of it was scaled
+    std::int64_t step = 0;  ///< step of the slowest
+    int impacts = 0;        ///< steps in which the body or a piece of it was scaled
     ScaledImpact slowest;
   };
-  std::map<int, ScaledBody> scaled_;                 ///< by scene body
-  double processor_;                                 ///< time of all threads when the last step ended [ms]
-  std::array<std::vector<double>, 7> milliseconds_;  ///< of the step, its phases, and processor time of all threads
+  std::map<int, ScaledBody> scaled_;  ///< by scene body
+  double processor_;                  ///< processor time at the end of the last step [ms]
+  std::array<std::vector<double>, 7>
+      milliseconds_;  ///< times of the step, its phases, and processor time of all threads
 };
 
 }  // namespace griffith::app

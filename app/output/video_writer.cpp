@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 struct VideoKind {
   const char* ending;
-  const char* encoder;  ///< arguments of ffmpeg; sizes that are odd lose a row or column to what most players know
+  const char* encoder;  ///< arguments of ffmpeg; odd sizes lose a row or column in favor of common players
 };
 
 constexpr std::array<VideoKind, 5> kKinds = {{
@@ -40,7 +40,7 @@ const VideoKind* kind_of(const fs::path& path) {
   return nullptr;
 }
 
-/// The words that blanks part.
+/// Splits a text at blanks.
 std::vector<std::string> words_of(const std::string& text) {
   std::istringstream stream(text);
   return {std::istream_iterator<std::string>(stream), {}};
@@ -54,17 +54,16 @@ bool is_video_path(const fs::path& path) { return kind_of(path) != nullptr; }
 
 void check_video_path(const fs::path& path) {
   if (!is_video_path(path))
-    throw InputError(path.string(), "is no kind of video that is written",
-                     "end its name in .mp4, .mkv, .mov, .webm or .gif");
+    throw InputError(path.string(), "has no supported video extension", "use .mp4, .mkv, .mov, .webm or .gif");
   check_replaceable(path);
   constexpr ProcessLimits kLimits = {.seconds = 20, .memory_bytes = std::int64_t{4} << 30};
   if (!run_process({"ffmpeg", "-version"}, kLimits).succeeded())
-    throw InputError(path.string(), "cannot be written: there is no ffmpeg",
-                     "install it (Debian's package ffmpeg), or write PNG files with -o");
+    throw InputError(path.string(), "cannot be written: ffmpeg is missing",
+                     "install it (Debian package ffmpeg), or write PNG files with -o");
 }
 
 VideoWriter::VideoWriter(fs::path path, int width, int height, double frames_per_second) : path_(std::move(path)) {
-  std::signal(SIGPIPE, SIG_IGN);  // an ffmpeg that has ended is an error of add()
+  std::signal(SIGPIPE, SIG_IGN);  // if ffmpeg has ended, add() reports it
   const std::string size = std::to_string(width) + "x" + std::to_string(height);
   std::vector<std::string> words = {"ffmpeg",
                                     "-hide_banner",

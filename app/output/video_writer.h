@@ -9,33 +9,33 @@
 
 namespace griffith::app {
 
-/// Whether the ending is that of a video: .mp4, .mkv, .mov, .webm or .gif.
+/// True for the extension of a video: .mp4, .mkv, .mov, .webm or .gif.
 bool is_video_path(const std::filesystem::path& path);
 
-/// Throws InputError where no video can be written there: no ending .mp4, .mkv, .mov, .webm or .gif, no ffmpeg, or a
-/// folder that may not be written to.
+/// Throws InputError if no video can be written there: another extension than .mp4, .mkv, .mov, .webm or .gif, no
+/// ffmpeg, or a folder without write permission.
 void check_video_path(const std::filesystem::path& path);
 
-/// Encodes pictures of one size into a video, by ffmpeg as a process of its own. The file appears when all is done.
+/// Encodes pictures of one size into a video, with ffmpeg as a separate process. The file appears when it is complete.
 class VideoWriter {
  public:
-  /// `frames_per_second` > 0. Throws std::runtime_error when ffmpeg cannot be started.
+  /// `frames_per_second` > 0. Throws std::runtime_error if ffmpeg cannot be started.
   VideoWriter(std::filesystem::path path, int width, int height, double frames_per_second);
-  /// Gives an unfinished video up.
+  /// Discards an unfinished video.
   ~VideoWriter();
   VideoWriter(const VideoWriter&) = delete;
   VideoWriter& operator=(const VideoWriter&) = delete;
 
-  /// Throws std::runtime_error, with what ffmpeg says, when it has ended.
+  /// Adds a picture. Throws std::runtime_error with ffmpeg's message if it has ended.
   void add(const render::Image& image);
-  /// Waits for ffmpeg and puts the file in its place. Throws std::runtime_error, with what ffmpeg says, when it fails.
+  /// Waits for ffmpeg and moves the file to its place. Throws std::runtime_error with ffmpeg's message if it fails.
   void finish();
 
  private:
   [[noreturn]] void fail() const;
 
   std::filesystem::path path_;
-  TemporaryFolder folder_;  ///< of the video being made, and of what ffmpeg says
+  TemporaryFolder folder_;  ///< contains the unfinished video and ffmpeg's messages
   std::FILE* pipe_ = nullptr;
 };
 

@@ -11,14 +11,14 @@
 
 namespace griffith::app {
 
-/// Tells what lies in the bodies of a frame, by a grid of cells that know their tets.
+/// Finds the bodies that contain points, with a grid of cells that list their tets.
 class BodyCells {
  public:
-  /// `region`: in which places will be asked for.
+  /// `region`: contains all queried points.
   BodyCells(const Frame& frame, const HiddenBodies& hidden, const Eigen::AlignedBox3d& region)
       : frame_(frame), region_(region) {
-    constexpr double kMostCells = 64;  // along an edge
-    const double edge = std::max(mean_edge(), region.sizes().maxCoeff() / kMostCells);
+    constexpr double kMaxCells = 64;  // along an edge
+    const double edge = std::max(mean_edge(), region.sizes().maxCoeff() / kMaxCells);
     for (int axis = 0; axis < 3; ++axis) size_[axis] = static_cast<int>(region.sizes()[axis] / edge) + 1;
     edge_ = edge;
     tets_.resize(static_cast<std::size_t>(size_[0]) * size_[1] * size_[2]);
@@ -33,7 +33,7 @@ class BodyCells {
   }
 
  private:
-  /// Of a cube of six tets [m].
+  /// Returns the edge of a cube of six tets [m].
   double mean_edge() const {
     double volume = 0;
     for (const RestElement& element : frame_.elements.rest_elements) volume += element.volume;
@@ -61,7 +61,7 @@ class BodyCells {
     return true;
   }
 
-  /// The cell, clamped to the grid, that holds a place.
+  /// Returns the cell that contains a point, clamped to the grid.
   std::array<int, 3> cell_of(const Vec3& place) const {
     std::array<int, 3> cell;
     for (int axis = 0; axis < 3; ++axis)
@@ -75,7 +75,7 @@ class BodyCells {
   const Frame& frame_;
   Eigen::AlignedBox3d region_;
   std::array<int, 3> size_;
-  double edge_ = 1;                       ///< of a cell [m]
+  double edge_ = 1;                       ///< edge of a cell [m]
   std::vector<std::vector<TetId>> tets_;  ///< per cell
 };
 

@@ -12,7 +12,7 @@
 namespace griffith::app {
 namespace {
 
-/// A box round a body along its principal axes.
+/// Bounding box of a body along its principal axes.
 struct PrincipalBox {
   Mat3 axes;           ///< columns, unit length, the thinnest first
   Vec3 sizes, center;  ///< [m]
@@ -34,7 +34,7 @@ bool breaks_radially(const Material& material, const PrincipalBox& box) {
   return (preset == "soda_lime_glass" || preset == "acrylic") && box.sizes[0] < 0.2 * box.sizes[1];
 }
 
-/// Along the grain where the scene tells it, else along the body.
+/// Returns the grain of the scene's weakness, else the longest axis of the body.
 Vec3 grain_of(const PrincipalBox& box, const std::optional<Weakness>& weakness) {
   if (weakness && weakness->kind == WeaknessKind::grain) return weakness->direction;
   return box.axes.col(2);
@@ -50,7 +50,7 @@ ShardPattern shard_pattern(const Frame& frame, int scene_body, const PrincipalBo
   return pattern;
 }
 
-/// Sectors and rings round the first crack, about as many as there are tets.
+/// Makes sectors and rings around the first crack, about as many as there are tets.
 CellPartition radial_cells(const TetMesh& mesh, const PrincipalBox& box, int scene_body,
                            const std::optional<Vec3>& first_crack) {
   const double size = 0.8 * std::sqrt(box.sizes[1] * box.sizes[2] / mesh.tet_count());

@@ -6,7 +6,7 @@
 
 namespace griffith::app {
 
-/// The box round all nodes [m], but for those whose position is not finite; empty where there are none.
+/// Returns the bounding box of all finite node positions [m]; empty if there are none.
 inline Eigen::AlignedBox3d bounds_of(const Frame& frame) {
   Eigen::AlignedBox3d box;
   for (const Vec3& position : frame.nodes.positions)

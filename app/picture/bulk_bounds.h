@@ -6,9 +6,9 @@
 
 namespace griffith::app {
 
-/// The box round what most of the mass does [m]: round the pieces nearest to the middle that have 95 % of it together,
-/// and everything else, projectiles too, that is no farther from them than half of their extent. What has flown farther
-/// is left out. Empty without bodies.
+/// Returns the bounding box of the scene's main part [m]: the pieces nearest to the median that have 95 % of the mass
+/// together, and all other pieces and projectiles within half of their extent. Objects farther away are left out. Empty
+/// without bodies.
 Eigen::AlignedBox3f bulk_bounds(const ShownMesh& shown);
 
 }  // namespace griffith::app

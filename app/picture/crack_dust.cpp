@@ -12,20 +12,21 @@
 namespace griffith::app {
 namespace {
 
-constexpr std::size_t kMaxPuffs = 1200, kMaxCrumbs = 3000;  ///< of the newest cracks
-constexpr double kPuffTime = 0.9;                           ///< until a puff has faded [s]
-constexpr double kDrag = 0.12;                              ///< in which dust comes to rest in the air [s]
-/// Speed of what flies, in speeds of the matter behind a wave of its strength, and its bounds [m/s].
+constexpr std::size_t kMaxPuffs = 1200, kMaxCrumbs = 3000;  ///< limits; the newest cracks count
+constexpr double kPuffTime = 0.9;                           ///< time until a puff has faded [s]
+constexpr double kDrag = 0.12;                              ///< time constant of drag on dust [s]
+/// Speed of fragments, relative to the particle velocity behind a wave of the material's strength, and its limits
+/// [m/s].
 constexpr double kThrow = 4, kMinSpeed = 0.3, kMaxSpeed = 6;
 
 constexpr double kLargestCrumb = 0.025;  ///< radius [m]
 
-/// How a material crumbles.
+/// Fragmentation of a material.
 struct Crumbling {
   std::string_view preset;
   double dust;  ///< 0..1
-  int crumbs;   ///< a crack
-  double size;  ///< of a crumb, in element sizes, but no more than kLargestCrumb
+  int crumbs;   ///< number per crack
+  double size;  ///< size of a crumb in element sizes, at most kLargestCrumb
 };
 constexpr Crumbling kCrumblingTable[] = {{"concrete", 1, 3, 0.05},
                                          {"brick", 0.9, 4, 0.05},
@@ -40,13 +41,13 @@ constexpr Crumbling kCrumblingTable[] = {{"concrete", 1, 3, 0.05},
                                          {"wood_along_grain", 0.1, 2, 0.035},
                                          {"wood_across_grain", 0.1, 2, 0.035}};
 
-/// Null for what does not crumble: metals, rubber, jelly.
+/// Returns null for materials that do not crumble: metals, rubber, jelly.
 const Crumbling* crumbling_of(const Material& material) {
   const auto* found = std::ranges::find(kCrumblingTable, preset_alike(material), &Crumbling::preset);
   return found == std::end(kCrumblingTable) ? nullptr : found;
 }
 
-/// Numbers from 0 to 1 that follow from a seed (Steele, Lea and Flood 2014, SplitMix).
+/// Pseudo-random numbers in 0..1 from a seed (Steele, Lea and Flood 2014, SplitMix).
 class Chance {
  public:
   explicit Chance(std::uint64_t seed) : state_(seed) {}
@@ -65,25 +66,25 @@ class Chance {
   std::uint64_t state_;
 };
 
-/// A crack, and what its surroundings make of it.
+/// A crack with the properties of its surroundings.
 struct Source {
   Vec3 place, normal;
-  double age = 0, size = 0, speed = 0;  ///< [s], of elements [m], [m/s]
-  double openness = 0;                  ///< 0..1: a crack that is closed gives off nothing
+  double age = 0, size = 0, speed = 0;  ///< age of the crack [s], size of elements [m], speed of fragments [m/s]
+  double openness = 0;                  ///< 0..1: a closed crack emits nothing
   const Crumbling* crumbling = nullptr;
   render::Rgb color;
 };
 
-/// Edge length of the elements at the crack [m].
+/// Returns the edge length of the elements at the crack [m].
 double element_size(const Frame& frame, const CrackEvent& event) {
   std::vector<TetId> tets;
   for (const CrackElement& element : event.elements) tets.push_back(element.tet);
   return mean_element_size(frame.elements.rest_elements, tets);
 }
 
-/// How far the elements at a crack have come apart by now, as a share of what lets all dust out of it.
+/// Returns the opening of a crack, 0..1, relative to the one that releases all dust.
 double openness_of(const Frame& frame, const CrackEvent& event, double element_size) {
-  constexpr double kAllOut = 0.02;  // of the elements' size
+  constexpr double kAllOut = 0.02;  // fraction of the element size
   Eigen::AlignedBox3d corners;
   for (const CrackElement& element : event.elements) {
     const auto apart = [&](NodeId node) { return (frame.nodes.rest_positions[node] - event.rest_position).norm(); };
@@ -92,14 +93,14 @@ double openness_of(const Frame& frame, const CrackEvent& event, double element_s
   return std::min(1.0, corners.diagonal().norm() / (kAllOut * element_size));
 }
 
-/// Clear matter in small chips has hardly any colour, and scatters light.
+/// Returns a paler color: small chips of clear material are nearly colorless and scatter light.
 render::Rgb paler(const render::Rgb& color) {
   constexpr float kShare = 0.6f;
   const auto mixed = [](float channel) { return channel + kShare * (1 - channel); };
   return {mixed(color.r), mixed(color.g), mixed(color.b)};
 }
 
-/// What all cracks of a scene body have in common.
+/// Returns the common properties of all cracks of each scene body.
 std::vector<Source> sources_of(const Scene& scene) {
   const std::vector<render::EmbeddedMaterial> looks = natural_materials(scene);
   std::vector<Source> sources;
@@ -115,7 +116,7 @@ std::vector<Source> sources_of(const Scene& scene) {
   return sources;
 }
 
-/// Where something thrown out goes: along the crack's normal to either side, more or less.
+/// Returns the direction of a fragment: near the crack's normal to either side.
 Vec3 throw_of(const Source& source, Chance& chance) {
   const double side = chance() < 0.5 ? -1 : 1, strength = 0.3 + 1.4 * chance();
   return source.speed * strength * (side * source.normal + 0.7 * chance.in_cube());
@@ -131,19 +132,19 @@ render::Puff puff_of(const Source& source, Chance& chance) {
           static_cast<float>(source.openness * source.crumbling->dust * share * left * left * risen)};
 }
 
-/// When something thrown up from that height above the ground with that speed comes to it [s].
+/// Returns the time until an object thrown up from that height above the ground with that speed lands [s].
 double fall_time(double height, double speed, double gravity) {
   return (speed + std::sqrt(speed * speed + 2 * gravity * std::max(height, 0.0))) / gravity;
 }
 
-/// How something flies that nothing but gravity moves.
+/// Ballistic flight under gravity.
 struct Flight {
   Vec3 start, velocity, gravity;
   Vec3 at(double time) const { return start + time * velocity + 0.5 * time * time * gravity; }
 };
 
-/// How long something flies until it meets a body, as bodies lie now, at most for `duration` [s]; nothing: it never
-/// comes out of where it begins.
+/// Returns the time until a flying object meets a body in the current state, at most `duration` [s]; empty if it never
+/// leaves the body where it starts.
 std::optional<double> flight_time(const Flight& flight, double duration, const BodyCells& bodies) {
   constexpr double kStep = 0.03, kLongest = 2;  // [s]
   std::optional<double> outside;
@@ -164,7 +165,7 @@ std::optional<double> flight_time(const Flight& flight, double duration, const B
   return outside ? std::optional(duration) : std::nullopt;
 }
 
-/// A crumb on its way.
+/// A crumb in flight.
 struct Crumb {
   Flight flight;
   double age = 0, radius = 0;  ///< [s], [m]
@@ -184,14 +185,14 @@ Crumb crumb_of(const Source& source, const Scene& scene, Chance& chance) {
   return crumb;
 }
 
-/// Until a flight comes to the ground, but no longer than `duration` [s].
+/// Returns the time until a flight reaches the ground, at most `duration` [s].
 double time_to_ground(const Flight& flight, double radius, double duration, const Scene& scene) {
   const double gravity = -scene.gravity.y();
   if (!scene.ground || gravity <= 0) return duration;
   return std::min(duration, fall_time(flight.start.y() - scene.ground->height - radius, flight.velocity.y(), gravity));
 }
 
-/// Where a crumb is now: it flies until it meets a body, drops from there, and stays where it meets the next.
+/// Returns the present place of a crumb: it flies until it meets a body, drops from there, and stays where it lands.
 std::optional<render::Sphere> landed(const Crumb& crumb, const Scene& scene, const BodyCells& bodies) {
   const double until_ground = time_to_ground(crumb.flight, crumb.radius, crumb.age, scene);
   const std::optional<double> flown = flight_time(crumb.flight, until_ground, bodies);

@@ -7,8 +7,8 @@
 
 namespace griffith::app {
 
-/// What cracks throw out as they open: puffs of dust, which fade, and crumbs, which fall and stay on the ground or on
-/// bodies as they lie now. An effect: nothing of the simulation depends on it, and it depends on the frame alone.
+/// Debris from opening cracks: puffs of dust, which fade, and crumbs, which fall and stay on the ground or on bodies in
+/// their current state. A visual effect: the simulation does not depend on it, and it depends on the frame alone.
 struct CrackDust {
   std::vector<render::Puff> puffs;
   std::vector<render::Sphere> crumbs;

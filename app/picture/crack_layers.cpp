@@ -8,14 +8,14 @@
 namespace griffith::app {
 namespace {
 
-/// The newest crack plane glows, the oldest has cooled down.
+/// Returns the color of a crack plane, which cools down from the newest to the oldest.
 render::Rgb age_color(double age, double newest, double oldest) {
   const float t = oldest > newest ? static_cast<float>(std::sqrt((age - newest) / (oldest - newest))) : 0;
   const render::Rgb fresh = {1.0f, 0.62f, 0.08f}, old = {0.36f, 0.26f, 0.52f};
   return {fresh.r + t * (old.r - fresh.r), fresh.g + t * (old.g - fresh.g), fresh.b + t * (old.b - fresh.b)};
 }
 
-/// The edges of an element drawn a little smaller, so that neighbours can be told apart.
+/// Adds the edges of an element, slightly shrunken so that neighbors remain distinct.
 void add_outline(const ShownMesh& shown, TetId tet, const render::Rgb& color, render::DrawScene& picture) {
   constexpr double kShrink = 0.93;
   const Vec3 middle = shown.centroid(tet);

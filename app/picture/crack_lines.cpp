@@ -9,7 +9,7 @@
 namespace griffith::app {
 namespace {
 
-/// An edge of a face that was on the surface from the start; its ends by place at rest.
+/// An edge of a face that was on the surface from the start; its ends by rest position.
 struct SurfaceEdge {
   std::array<double, 6> rest;
   NodeId start, end;
@@ -17,7 +17,7 @@ struct SurfaceEdge {
   bool operator<(const SurfaceEdge& other) const {
     return std::tie(rest, body, start, end) < std::tie(other.rest, other.body, other.start, other.end);
   }
-  /// Whether a crack runs between them.
+  /// True if a crack runs between the two edges.
   bool faces(const SurfaceEdge& other) const {
     return rest == other.rest && body == other.body && (start != other.start || end != other.end);
   }

@@ -7,9 +7,9 @@
 
 namespace griffith::app {
 
-/// Lines where cracks come to the surface of a piece that still holds together on both sides of them: edges of
-/// `triangles` that lie on each other at rest, belong to one piece and have different nodes. Nothing else would show
-/// cracks that have hardly opened.
+/// Returns lines where cracks reach the surface of a piece that is still connected around them: edges of `triangles`
+/// that coincide at rest, belong to one piece and have different nodes. Without these lines, cracks that have hardly
+/// opened would be invisible.
 std::vector<render::Line> crack_lines(const std::vector<PictureTriangle>& triangles, const ShownMesh& shown);
 
 }  // namespace griffith::app

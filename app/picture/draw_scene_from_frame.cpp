@@ -23,12 +23,12 @@ namespace {
 
 constexpr render::Rgb kProjectileColor = {0.24f, 0.27f, 0.31f};
 
-/// Whether what is embedded in tets can stand for them.
+/// True if embedded surfaces can replace the tets.
 bool shows_whole_bodies(const ViewSettings& view) {
   return view.elements == ElementStyle::surface && view.quantity != "crack_age";
 }
 
-/// Whether a picture shows tets, or what is embedded in them.
+/// Selects the tets that are drawn, rather than the surfaces embedded in them.
 class TetFilter {
  public:
   TetFilter(const ShownMesh& shown, const EmbeddedPieces& pieces)
@@ -37,7 +37,7 @@ class TetFilter {
         embedded_(shown.view.splinters && pieces.mesh && shows_whole_bodies(shown.view)) {}
 
   bool shows_embedded() const { return embedded_; }
-  /// Whether a face without a neighbour is shown: of a body with a skin, what cracks have laid bare.
+  /// True if a face without a neighbor is shown: for a body with a skin, the faces opened by cracks.
   bool shows(std::size_t tet, std::size_t face) const {
     const Frame& frame = shown_.frame;
     const BodyId body = frame.elements.bodies[tet];
@@ -47,7 +47,7 @@ class TetFilter {
     const bool is_crack = !(frame.elements.first_surface[tet] >> face & 1);
     return !pieces_.splintered[scene_body] && (is_crack || !pieces_.skinned[scene_body]);
   }
-  /// Whether the shown faces bound whole pieces: of those with a skin a part is shown.
+  /// True if the shown faces enclose whole pieces; of pieces with a skin only a part is shown.
   bool shows_whole_pieces() const { return !embedded_ || pieces_.closed; }
 
  private:
@@ -62,7 +62,7 @@ void color_plainly(render::DrawScene& picture, const Frame& frame, const Embedde
                                        picture.surface.color);
 }
 
-/// Colour of what the quantity "body", "tet" or "splinter" tells apart.
+/// Returns the color of the quantity "body", "tet" or "splinter".
 render::Rgb tet_color(const Frame& frame, std::int32_t tet, const ViewSettings& view) {
   return id_color(view.quantity == "tet" ? tet : frame.elements.bodies[tet].index());
 }
@@ -88,7 +88,7 @@ void color_by_material(render::DrawScene& picture, const Frame& frame) {
     const render::EmbeddedMaterial& material = picture.embedded.materials[index];
     picture.surface.colors.push_back(material.color);
     if (material.clear_depth == 0) {
-      picture.surface.flags[i] &= static_cast<std::uint8_t>(~render::kCrackFace);  // the inside has a colour of its own
+      picture.surface.flags[i] &= static_cast<std::uint8_t>(~render::kCrackFace);  // the inside has a color of its own
       continue;
     }
     picture.surface.flags[i] |= render::kClear;
@@ -96,7 +96,7 @@ void color_by_material(render::DrawScene& picture, const Frame& frame) {
   }
 }
 
-/// `automatic`: the range where the view has none.
+/// Returns the style of scalars. `automatic`: the range if the view has none.
 render::ScalarStyle scalar_style(const ViewSettings& view, const QuantityValues& values, const Vec2& automatic) {
   constexpr int kBins = 48;
   const bool parted = ui::parts_at_zero(view);
@@ -116,7 +116,7 @@ render::ScalarStyle scalar_style(const ViewSettings& view, const QuantityValues&
   return style;
 }
 
-/// Moves the edges of the wireframe, or the triangles that show the bodies, into the picture.
+/// Adds the edges of the wireframe, or the triangles of the bodies, to the picture.
 void add_elements(const ShownMesh& shown, const TetFilter& filter, const QuantityValues* values, TetId selected,
                   render::DrawScene& picture) {
   constexpr double kShrink = 0.75;
@@ -144,7 +144,7 @@ void add_elements(const ShownMesh& shown, const TetFilter& filter, const Quantit
   if (values) add_scalars(triangles, shown.frame, *values, picture.surface);
 }
 
-/// Colours of what has no scalar.
+/// Adds colors for pictures without a scalar.
 void add_colors(render::DrawScene& picture, const Frame& frame, const EmbeddedPieces& pieces,
                 const ViewSettings& view) {
   if (view.quantity == "material" || view.quantity == "texture") {
@@ -164,7 +164,7 @@ render::EmbeddedSurface embedded_surface(const ShownMesh& shown, const EmbeddedP
   surface.mesh = pieces.mesh;
   surface.closed = pieces.closed;
   surface.points.reserve(shown.positions.size());
-  // What hidden bodies carry shrinks to a point.
+  // Objects embedded in hidden bodies collapse to a point.
   for (const Vec3& position : shown.positions)
     surface.points.push_back(position.allFinite() ? position.cast<float>().eval() : Eigen::Vector3f(0, 0, 0));
   surface.tets = ordered_tets(frame, orders);
@@ -176,14 +176,14 @@ render::EmbeddedSurface embedded_surface(const ShownMesh& shown, const EmbeddedP
 
 void mark_node(const ShownMesh& shown, NodeId node, render::DrawScene& picture) {
   const Eigen::Vector3f place = shown.positions[node].cast<float>();
-  // Of two at one place the first is seen: the second is its rim.
+  // The first of two points at one place is visible: the second is its rim.
   picture.points.push_back({place, 9, {1.0f, 0.55f, 0.10f}, render::kNoId});
   picture.points.push_back({place, 13, {0.10f, 0.11f, 0.13f}, render::kNoId});
   picture.labels.push_back({place, "node " + std::to_string(node.index()), 1.4f});
 }
 
-/// Says above the bodies how much more than in truth they are drawn deformed.
-void tell_deformation(const ShownMesh& shown, render::DrawScene& picture) {
+/// Adds labels with the exaggeration of the deformation above the bodies.
+void add_deformation_labels(const ShownMesh& shown, render::DrawScene& picture) {
   const double scale = shown.view.deformation_scale;
   if (scale == 1) return;
   Eigen::AlignedBox3d box;
@@ -194,7 +194,7 @@ void tell_deformation(const ShownMesh& shown, render::DrawScene& picture) {
   picture.labels.push_back({top.cast<float>(), "deformation × " + ui::format_quantity(scale, "-"), 1.4f});
 }
 
-/// Makes room for one more triangle that is no part of a body.
+/// Appends space for a triangle that belongs to no body.
 void add_plain_triangle(render::Surface& surface) {
   const std::size_t triangles = surface.positions.size() / 3;
   const std::size_t scalars = triangles > 0 ? surface.scalars.size() / triangles : 0;
@@ -259,7 +259,7 @@ EmbeddedPieces natural_pieces(const Frame& frame, const EmbeddedDisplay& display
   return embedded_pieces(sharded.frame(), display.orders, display.authored.splintered.size(), display.shards.skins());
 }
 
-/// Where pieces are in their own places, in their own colours, and nothing is explained.
+/// True if pieces are in their places, in natural colors, and nothing is explained.
 bool shows_dust(const ViewSettings& view) {
   return view.dust && view.quality != PictureQuality::draft && !is_scalar(view.quantity) && view.quantity != "tet" &&
          shows_whole_bodies(view) && view.deformation_scale == 1 && view.explode == 0 && !view.slice &&
@@ -272,8 +272,8 @@ void add_dust(const Frame& frame, const Scene& scene, const HiddenBodies& hidden
   picture.crumbs = std::move(dust.crumbs);
 }
 
-/// What of a frame is to be drawn.
-struct Wanted {
+/// Parts of a frame to draw.
+struct DrawRequest {
   const Scene& scene;
   const ViewSettings& view;
   const ui::Selection& selection;
@@ -285,9 +285,9 @@ std::optional<QuantityValues> values_of(const Frame& frame, const ViewSettings& 
   return is_scalar(view.quantity) ? std::optional(quantity_values(frame, view.quantity)) : std::nullopt;
 }
 
-/// `values`: values_of() the frame.
+/// Draws a frame. `values`: values_of() the frame.
 render::DrawScene drawn(const Frame& frame, const EmbeddedPieces& pieces, std::span<const std::array<int, 4>> orders,
-                        const Wanted& wanted, std::optional<QuantityValues> values) {
+                        const DrawRequest& wanted, std::optional<QuantityValues> values) {
   const auto& [scene, view, selection, hidden, range] = wanted;
   render::DrawScene result;
   const ShownMesh shown = shown_mesh(frame, view, selection, hidden);
@@ -306,13 +306,13 @@ render::DrawScene drawn(const Frame& frame, const EmbeddedPieces& pieces, std::s
   }
   add_layers(shown, result);
   if (selection.valid() && !shown.is_hidden(shown.body_of(selection.node))) mark_node(shown, selection.node, result);
-  tell_deformation(shown, result);
+  add_deformation_labels(shown, result);
   add_surroundings(frame, scene, result);
   if (shows_dust(view)) add_dust(frame, scene, hidden, result);
   return result;
 }
 
-render::DrawScene drawn(const Frame& frame, const EmbeddedDisplay& display, const Wanted& wanted,
+render::DrawScene drawn(const Frame& frame, const EmbeddedDisplay& display, const DrawRequest& wanted,
                         std::optional<QuantityValues> values) {
   if (display.shards.empty() || !shows_shards(wanted.view))
     return drawn(frame, display.authored, display.orders, wanted, std::move(values));

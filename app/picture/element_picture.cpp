@@ -32,7 +32,8 @@ std::array<Vec3, 4> shown_corners(const ShownMesh& shown, TetId tet, double shri
   return corners;
 }
 
-/// Where a plane cuts a tet whose corners have these heights above it: 3 or 4 places, in order round the section.
+/// Returns the intersection of a plane with a tet whose corners have these heights above it: 3 or 4 points in order
+/// around the section.
 std::vector<EdgePlace> section(const std::array<double, 4>& heights) {
   std::vector<int> above, below;
   for (int i = 0; i < 4; ++i) (heights[i] > 0 ? above : below).push_back(i);
@@ -54,7 +55,7 @@ std::vector<EdgePlace> section(const std::array<double, 4>& heights) {
   return places;
 }
 
-/// A polygon as a fan whose outer edges are marked, facing along `normal`.
+/// Adds a polygon as a fan with marked outer edges, facing along `normal`.
 void add_section(std::vector<EdgePlace> places, TetId tet, const std::array<Vec3, 4>& corners, const Vec3& normal,
                  std::vector<PictureTriangle>& triangles) {
   const Vec3 a = place_of(places[0], corners), b = place_of(places[1], corners), c = place_of(places[2], corners);
@@ -82,7 +83,7 @@ float node_scalar(const EdgePlace& place, const std::array<NodeId, 4>& nodes, co
   return (1 - place.t) * values[nodes[place.a]] + place.t * values[nodes[place.b]];
 }
 
-/// An edge of a tet, its nodes ascending.
+/// An edge of a tet with its nodes ascending.
 struct TetEdge {
   NodeId a, b;
   TetId tet;

@@ -9,39 +9,40 @@
 
 namespace griffith::app {
 
-/// A place on an edge of a tet: (1 − t) times corner a and t times corner b.
+/// A point on an edge of a tet: (1 − t) times corner a plus t times corner b.
 struct EdgePlace {
   std::int8_t a = 0, b = 0;
   float t = 0;
 };
 
-/// A triangle of a picture and what it is part of.
+/// A triangle of a picture and the element to which it belongs.
 struct PictureTriangle {
   TetId tet;
-  std::int8_t face = -1;   ///< of the tet; −1: where a slice cuts through it
-  std::uint8_t edges = 0;  ///< render::TriangleFlag bits of the edges to be drawn
+  std::int8_t face = -1;   ///< face of the tet; −1: section of a slice
+  std::uint8_t edges = 0;  ///< render::TriangleFlag bits of the drawn edges
   std::array<EdgePlace, 3> corners;
 };
 
-/// Whether face `face` of `tet`, which has no neighbour, is shown.
+/// True if the boundary face `face` of `tet` is shown.
 using FaceFilter = std::function<bool(std::size_t tet, std::size_t face)>;
 
-/// The faces without a neighbour that the filter lets through.
+/// Returns the boundary faces that the filter accepts.
 std::vector<PictureTriangle> surface_triangles(const Frame& frame, const FaceFilter& shows);
-/// All faces of all tets on the visible side of the slice: an element is shown whole or not at all.
+/// Returns all faces of all tets on the visible side of the slice; an element is shown completely or not.
 std::vector<PictureTriangle> element_triangles(const ShownMesh& shown);
-/// Where the view's slice plane cuts tets, facing what is hidden.
+/// Returns the intersections of the view's slice plane with tets, facing the hidden side.
 std::vector<PictureTriangle> cap_triangles(const ShownMesh& shown);
 
-/// Positions, ids and flags of triangles, in the same order. `shrink`: size of each tet about its middle, 1: as it is.
+/// Returns positions, ids and flags of triangles in the same order. `shrink`: size of each tet relative to its own,
+/// about its center.
 render::Surface surface_of(const std::vector<PictureTriangle>& triangles, const ShownMesh& shown, double shrink,
                            TetId selected);
 
-/// The scalars of these triangles, and kPlain for those that have none.
+/// Adds the scalars of these triangles, kPlain for those without one.
 void add_scalars(const std::vector<PictureTriangle>& triangles, const Frame& frame, const QuantityValues& values,
                  render::Surface& surface);
 
-/// All edges of the visible tets, each once, in the colours of the scalar, or grey without.
+/// Returns all edges of the visible tets once, in the colors of the scalar, or gray without one.
 std::vector<render::Line> wireframe(const ShownMesh& shown, const QuantityValues* values,
                                     const render::ScalarStyle& style);
 

@@ -5,7 +5,7 @@
 namespace griffith::app {
 namespace {
 
-constexpr double kHeldWeight = 1e8;  // of a held node, where a free one has 1
+constexpr double kHeldWeight = 1e8;  // weight of a held node; a free one has 1
 
 double fit_weight(const Frame& frame, NodeId node) {
   if (!frame.nodes.positions[node].allFinite()) return 0;
@@ -17,7 +17,7 @@ BodyId piece_of(const Frame& frame, NodeId node) {
   return star.empty() ? BodyId() : frame.elements.bodies[star.front()];
 }
 
-/// Per body: the placement that the exaggerated deformation starts from. That of a body without nodes means nothing.
+/// Returns the rigid placement of each body from which its deformation is measured; undefined for a body without nodes.
 std::vector<Placement> placements_of(const Frame& frame) {
   std::vector<std::vector<NodeId>> nodes(frame.bodies.size());
   std::vector<double> weights;

@@ -11,7 +11,7 @@
 namespace griffith::app {
 namespace {
 
-/// A corner of a wall on its way to the surface.
+/// A corner of a wall being moved to the surface.
 struct WallCorner {
   Vec3 place;
   bool starts_rim = false;  ///< the edge from it to the next corner lies on the boundary of the tets
@@ -32,7 +32,7 @@ class WallFitter {
         tree_(surface),
         spacing_(mean_edge(surface)) {}
 
-  /// The corners of a face as it shall be, and what carries them.
+  /// Returns the corners of the fitted face with their carriers.
   std::vector<SplinterCorner> corners(const SplinterFace& face) const {
     const auto old = std::span(set_.corners).subspan(face.first_corner, face.corners);
     std::vector<WallCorner> outline = outline_of(face, old);
@@ -61,7 +61,7 @@ class WallFitter {
     return outline;
   }
 
-  /// Slivers lie in no plane of their own, but for rounding.
+  /// True if the outline has a well-defined plane; slivers do not.
   static bool has_plane(const std::vector<WallCorner>& outline) {
     constexpr double kThinnest = 1e-3;  // area over the square of the length
     std::vector<Vec3> places;
@@ -73,7 +73,8 @@ class WallFitter {
     return area_vector(places).norm() > kThinnest * length * length;
   }
 
-  /// Polygons are drawn as fans round their first corner: round one from which all that the rim may become is seen.
+  /// Rotates the outline to begin opposite to the rim: polygons are drawn as fans from the first corner, which must see
+  /// all of the rim.
   static void begin_opposite_to_rim(std::vector<WallCorner>& outline) {
     const auto distance_to_rim = [&](const WallCorner& corner) {
       double minimum = std::numeric_limits<double>::infinity();
@@ -104,8 +105,8 @@ class WallFitter {
     return fitted;
   }
 
-  /// The point of the surface near a place of a wall, in the wall's plane: by turns the nearest of either. The place
-  /// itself where they meet farther off than `reach`, or nowhere.
+  /// Returns the point of the surface nearest to a point of a wall, in the wall's plane, by alternating projections.
+  /// Returns the point itself if they do not meet within `reach`.
   Vec3 on_surface(const Vec3& place, const Vec3& normal, double reach) const {
     constexpr int kRounds = 6;
     Vec3 point = place;
@@ -116,9 +117,9 @@ class WallFitter {
     return (point - place).norm() <= reach ? point : place;
   }
 
-  /// How far from the boundary of a tet the surface may be before it is none that the tet stands for [m].
+  /// Returns the largest distance from the boundary of a tet at which the surface still belongs to the tet [m].
   double reach_of(TetId tet) const {
-    constexpr double kShare = 0.4;  // of its longest edge
+    constexpr double kShare = 0.4;  // fraction of its longest edge
     double longest = 0;
     for (const NodeId a : mesh_.tets[tet])
       for (const NodeId b : mesh_.tets[tet])
@@ -139,7 +140,7 @@ class WallFitter {
   TetMesh mesh_;
   TetLocator locator_;
   TriangleTree tree_;
-  double spacing_;  ///< of the surface's points [m]
+  double spacing_;  ///< spacing of the surface's points [m]
 };
 
 }  // namespace

@@ -6,9 +6,8 @@
 
 namespace griffith::app {
 
-/// Moves the walls of splinters that end on the boundary of their tets on to the surface that these were filled from,
-/// each in its plane, with corners between so that it follows the surface. All else of the splinters stays. Tets and
-/// surface are in one space.
+/// Moves the walls of splinters that end on the boundary of their tets onto the original surface, each within its
+/// plane, with additional corners along the surface. Everything else stays. Tets and surface are in the same space.
 void fit_walls(SplinterSet& splinters, const PlacedTets& placed, const TriangleSurface& surface);
 
 }  // namespace griffith::app

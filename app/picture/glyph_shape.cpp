@@ -6,7 +6,7 @@
 namespace griffith::app {
 namespace {
 
-/// Orthonormal axes, the first one along `direction`.
+/// Returns orthonormal axes, the first one along `direction`.
 Mat3 axes_along(const Vec3& direction) {
   Mat3 axes;
   axes.col(0) = direction.normalized();

@@ -7,7 +7,7 @@
 
 namespace griffith::app {
 
-/// Colours that mean the same in all layers.
+/// Colors with the same meaning in all layers.
 namespace sign_color {
 inline constexpr render::Rgb kTension = {0.84f, 0.18f, 0.15f};
 inline constexpr render::Rgb kCompression = {0.16f, 0.38f, 0.80f};
@@ -21,15 +21,15 @@ inline constexpr render::Rgb kAbove = {0.95f, 0.55f, 0.10f};
 inline constexpr render::Rgb kBelow = {0.10f, 0.60f, 0.75f};
 }  // namespace sign_color
 
-/// An arrow from `start` along `way` [m], its head of radius `thickness` [m], thinner where it is short. Nothing where
-/// `way` has no length or is not finite.
+/// Adds an arrow from `start` along `way` [m], with a head of radius `thickness` [m], thinner if it is short. Adds
+/// nothing if `way` is zero or not finite.
 void add_arrow(std::vector<render::Glyph>& arrows, const Vec3& start, const Vec3& way, double thickness,
                const render::Rgb& color, std::int32_t id = render::kNoId);
 
-/// A disc of radius `radius` [m] about a unit normal.
+/// Returns a disc of radius `radius` [m] perpendicular to a unit normal.
 render::Glyph disc(const Vec3& center, const Vec3& normal, double radius, const render::Rgb& color, float opacity);
 
-/// A ball.
+/// Returns a ball.
 render::Glyph ball(const Vec3& center, double radius, const render::Rgb& color);
 
 }  // namespace griffith::app

@@ -4,23 +4,23 @@
 
 namespace griffith::app {
 
-/// Draws what the view's layers ask for besides the bodies.
+/// Draws the view's layers.
 void add_layers(const ShownMesh& shown, render::DrawScene& picture);
 
-// The layers, by what they show. Sizes of signs go by the mean element size, those of nodes and places by the
-// body's, and the view's glyph_scale.
+// Layers. Symbols of elements scale with the mean element size, those of nodes and points with the body's size, all
+// with the view's glyph_scale.
 
-/// stress_axes, stress_ellipsoids: of every element.
+/// Adds stress_axes and stress_ellipsoids of every element.
 void add_stress_axes(const ShownMesh& shown, render::DrawScene& picture);
 void add_stress_ellipsoids(const ShownMesh& shown, render::DrawScene& picture);
-/// separation_axes, velocities: of the nodes.
+/// Adds separation_axes and velocities of the nodes.
 void add_separation_axes(const ShownMesh& shown, render::DrawScene& picture);
 void add_velocities(const ShownMesh& shown, render::DrawScene& picture);
-/// fracture_planes, candidate_plane, element_forces.
+/// Adds fracture_planes, candidate_plane and element_forces.
 void add_fracture_planes(const ShownMesh& shown, render::DrawScene& picture);
 void add_candidate_plane(const ShownMesh& shown, render::DrawScene& picture);
 void add_element_forces(const ShownMesh& shown, render::DrawScene& picture);
-/// contacts, body_frames, collision_shapes, supports, loads, probes.
+/// Adds contacts, body_frames, collision_shapes, supports, loads and probes.
 void add_contacts(const ShownMesh& shown, render::DrawScene& picture);
 void add_body_frames(const ShownMesh& shown, render::DrawScene& picture);
 void add_collision_shapes(const ShownMesh& shown, render::DrawScene& picture);

@@ -65,7 +65,7 @@ void use_named_view(ViewSettings& view, const std::string& names, const Frame& f
     } else if (name == "slice") {
       view.slice = slice_through(frame, towards_eye);
     } else if (!use_style(view, name)) {
-      throw InputError("--view", "there is no view \"" + name + "\"", "join with + any of " + all_names());
+      throw InputError("--view", "there is no view \"" + name + "\"", "join any of these with +: " + all_names());
     }
   }
   if (has_layer && !has_quantity) use_quantity(view, "plain");

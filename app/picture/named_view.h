@@ -7,9 +7,10 @@
 
 namespace griffith::app {
 
-/// Changes a view by name: a quantity ("utilization"), a layer ("stress_axes"), a style of elements ("wireframe",
+/// Changes a view by name: a quantity ("utilization"), a layer ("stress_axes"), an element style ("wireframe",
 /// "shrunken", "surface"), "exploded", "slice" or "unlit"; several are joined by "+". Layers alone are shown with plain
-/// bodies. `towards_eye`: the half of the bodies that a slice hides. Throws InputError for an unknown name, naming all.
+/// bodies. `toward_eye`: direction of the half that a slice hides. Throws InputError for an unknown name, with all
+/// known ones.
 void use_named_view(ViewSettings& view, const std::string& names, const Frame& frame, const Vec3& towards_eye);
 
 }  // namespace griffith::app

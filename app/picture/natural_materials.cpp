@@ -13,9 +13,9 @@
 namespace griffith::app {
 namespace {
 
-/// The colours of a fresh body and of what a crack lays bare, and how even they are. What is all of a piece until it
-/// breaks has pieces of one brightness, so that nothing shows where it will. Clear matter has one colour: what light
-/// loses between two of its faces must not depend on which faces they are.
+/// Colors of the outside and of fracture surfaces, and their variation. A body of one piece has pieces of equal
+/// brightness, so that the picture does not reveal where it will break. Clear materials have one color: the attenuation
+/// between two faces must not depend on the faces.
 struct NaturalLook {
   std::string_view preset;
   render::Rgb outside, inside;
@@ -23,7 +23,7 @@ struct NaturalLook {
   float clear_depth = 0;               ///< as EmbeddedMaterial
   render::Grain grain = render::Grain::none;
   float grain_size = 0.02f;  ///< as EmbeddedMaterial
-  float gloss = 0;           ///< of the outside, as EmbeddedMaterial
+  float gloss = 0;           ///< gloss of the outside, as EmbeddedMaterial
 };
 
 constexpr render::Rgb kMortar = {0.72f, 0.70f, 0.66f};
@@ -49,7 +49,7 @@ constexpr NaturalLook kLookTable[] = {
     {"jelly", {0.76f, 0.25f, 0.32f}, {0.83f, 0.36f, 0.42f}, 0, 0.03f, 0.05f},
 };
 
-/// Words of materials' names, by what they look like.
+/// Words in names of materials with the preset of that appearance.
 constexpr std::pair<std::string_view, std::string_view> kWords[] = {{"glass", "soda_lime_glass"},
                                                                     {"concrete", "concrete"},
                                                                     {"cement", "concrete"},
@@ -70,14 +70,14 @@ constexpr std::pair<std::string_view, std::string_view> kWords[] = {{"glass", "s
                                                                     {"rubber", "rubber"},
                                                                     {"jelly", "jelly"}};
 
-/// Whether a word of a name begins so, as one of "brickwork" begins with "brick". Both in small letters.
+/// True if a word of a name begins with `beginning`: "brickwork" begins with "brick". Both in lower case.
 bool has_word(std::string_view name, std::string_view beginning) {
   for (std::size_t at = name.find(beginning); at != std::string_view::npos; at = name.find(beginning, at + 1))
     if (at == 0 || name[at - 1] < 'a' || name[at - 1] > 'z') return true;
   return false;
 }
 
-/// The look that a material's name tells, as "soft porcelain" does; null where it tells none.
+/// Returns the look named by a material, as "soft porcelain"; null if there is none.
 const NaturalLook* named_look(std::string name) {
   std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   for (const auto& [word, preset] : kWords)
@@ -85,8 +85,8 @@ const NaturalLook* named_look(std::string name) {
   return nullptr;
 }
 
-/// By name, else nearest in density and Poisson's ratio, which people hardly tune; stiffness, which they do, parts what
-/// is alike.
+/// Returns the look by name, else that of the nearest density and Poisson's ratio, which users rarely change; stiffness
+/// decides between equal ones.
 const NaturalLook& look_of(const Material& material) {
   if (const NaturalLook* named = named_look(material.name)) return *named;
   const NaturalLook* best = &kLookTable[0];
@@ -102,20 +102,20 @@ const NaturalLook& look_of(const Material& material) {
   return *best;
 }
 
-/// Along the fibres of wood that has no splinters, about as long as its shards.
-Eigen::Vector3f fibre_of(const BodyDescription& body) {
+/// Returns the fiber direction of wood without splinters, with about the length of its shards.
+Eigen::Vector3f fiber_of(const BodyDescription& body) {
   constexpr double kStretch = 13;
   if (!body.weakness || body.weakness->kind != WeaknessKind::grain) return Eigen::Vector3f::Zero();
   const Vec3 along = pose_of(body).rotation * body.weakness->direction.normalized();
   return (std::sqrt(1 - 1 / kStretch) * along).cast<float>();
 }
 
-/// Noise has a fraction of a splinter's size and runs along its grain.
+/// Scales the noise with the splinters and aligns it with their grain.
 void fit_to_splinters(render::EmbeddedMaterial& material, const SplinterPattern& pattern) {
   if (const auto* shards = std::get_if<VoronoiSplinters>(&pattern)) {
     const double stretch = 4 * shards->elongation - 3;
     material.noise_size = static_cast<float>(0.2 * shards->size);
-    material.fibre = (std::sqrt(1 - 1 / stretch) * shards->grain.normalized()).cast<float>();
+    material.fiber = (std::sqrt(1 - 1 / stretch) * shards->grain.normalized()).cast<float>();
   } else if (const auto* bricks = std::get_if<BrickSplinters>(&pattern)) {
     material.noise_size = static_cast<float>(0.15 * bricks->size.minCoeff());
   } else if (const auto* rings = std::get_if<RadialSplinters>(&pattern)) {
@@ -125,7 +125,8 @@ void fit_to_splinters(render::EmbeddedMaterial& material, const SplinterPattern&
 
 bool is_stone(const NaturalLook& natural) { return natural.grain == crystals || natural.grain == veins; }
 
-/// What stone is made of is seen where it is dressed too; what else matter is made of only where it broke.
+/// Returns the grain: that of stone is visible on dressed faces too, that of other materials on fracture surfaces
+/// alone.
 render::Grain grain_of(const NaturalLook& natural, Look look) {
   if (look == Look::mortar) return sand;
   return look == Look::outside && !is_stone(natural) ? none : natural.grain;
@@ -142,7 +143,7 @@ render::EmbeddedMaterial material_of(const BodyDescription& body, const NaturalL
   material.grain_size = natural.grain_size;
   material.mottle = natural.mottle;
   material.roughness = look == Look::outside ? natural.roughness / 4 : natural.roughness;
-  material.fibre = fibre_of(body);
+  material.fiber = fiber_of(body);
   if (body.splinters) fit_to_splinters(material, *body.splinters);
   return material;
 }

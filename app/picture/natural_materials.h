@@ -8,21 +8,21 @@
 
 namespace griffith::app {
 
-/// How the three matters of a body look: what EmbeddedStyle::material counts, three a body.
+/// Surfaces of a body; EmbeddedStyle::material has three for each body.
 enum class Look { outside, inside, mortar };
 inline constexpr int kLooks = 3;
 
-/// Which material of a picture's splinters shows that look of a scene body.
+/// Returns the index of a scene body's look among the materials of a picture.
 inline int look_index(int scene_body, Look look) { return kLooks * scene_body + static_cast<int>(look); }
 
-/// What matter a face of a splinter shows.
+/// Returns the look of a face of a splinter.
 Look look_of(const SplinterFace& face);
 
-/// The key of the preset that a material is most like, by which it is seen.
+/// Returns the key of the most similar preset, whose look the material gets.
 std::string_view preset_alike(const Material& material);
 
-/// The natural look of all bodies, by look_index(): of the preset that is most alike, with fibres
-/// along the grain of splinters that have one and noise in proportion to their size.
+/// Returns the natural looks of all bodies by look_index(): those of the most similar presets, with fibers along the
+/// grain of splinters and noise in proportion to their size.
 std::vector<render::EmbeddedMaterial> natural_materials(const Scene& scene);
 
 }  // namespace griffith::app

@@ -9,31 +9,31 @@
 
 namespace griffith::app {
 
-/// Pixels of what is written over a picture of this size per design pixel, which is one of 1280×720: small pictures
-/// keep it legible.
+/// Returns the pixels per design pixel of text in a picture of this size; the design size is 1280×720. Small pictures
+/// keep text legible.
 inline float writing_scale(int width, int height) {
   constexpr float kDesignWidth = 1280, kDesignHeight = 720, kMinScale = 0.8f;
   return std::max(std::min(static_cast<float>(width) / kDesignWidth, static_cast<float>(height) / kDesignHeight),
                   kMinScale);
 }
 
-/// The renderer's name of a quality.
+/// Converts a quality to that of the renderer.
 inline render::Quality picture_quality(PictureQuality quality) {
   if (quality == PictureQuality::high) return render::Quality::high;
   return quality == PictureQuality::standard ? render::Quality::standard : render::Quality::draft;
 }
 
-/// Samples a pixel that a quality has: a draft has no smoothed edges.
+/// Returns the samples per pixel of a quality; a draft has no antialiasing.
 inline int samples_of(PictureQuality quality) { return quality == PictureQuality::draft ? 1 : 4; }
 
-/// Whether splinters and shards are what a view shows: values belong to elements, which those have nothing to do with.
+/// True if a view shows splinters and shards: it shows no values, which belong to elements.
 inline bool shows_shards(const ViewSettings& view) {
   return view.splinters && view.quantity != "tet" && !is_scalar(view.quantity) &&
          view.elements == ElementStyle::surface;
 }
 
-/// How to draw a picture of this size [pixels] and view, with the samples a pixel of its quality if absent: lines are
-/// as thick in proportion to the picture's height, whatever its resolution, as long as they can be seen.
+/// Returns render options for a picture of this size [pixels] and view; `samples` per pixel default to those of its
+/// quality. Line widths are proportional to the picture's height, but never invisible.
 inline render::RenderOptions picture_options(int width, int height, std::optional<int> samples,
                                              const ViewSettings& view) {
   constexpr float kDesignHeight = 720, kMinScale = 0.6f;

@@ -9,12 +9,11 @@
 
 namespace griffith::app {
 
-/// Whether a body shows the surface that it was filled from: not one with splinters of its own, nor one that is
-/// remeshed, which would take the tets away from under it.
+/// True if a body shows its original surface: it has no splinters of its own, and is not remeshed, which would remove
+/// the tets below the surface.
 bool shows_surface(const BodyDescription& body);
 
-/// The surface that a body was filled from, where it stands in the world at the start. Throws InputError when the file
-/// cannot be read.
+/// Returns the original surface of a body in its initial placement. Throws InputError if the file cannot be read.
 TriangleSurface placed_surface(const Scene& scene, const BodyDescription& body);
 
 }  // namespace griffith::app

@@ -9,15 +9,15 @@
 
 namespace griffith::app {
 
-/// The tets of a scene body at rest, where they stand in the world.
+/// Tets of a scene body at rest in its initial placement.
 struct PlacedTets {
   TetSoup soup;
-  std::vector<TetId> tets;  ///< per tet of the soup
+  std::vector<TetId> tets;  ///< tet of the frame for each tet of the soup
 };
 
-/// `frame`: before anything broke.
+/// `frame`: before any fracture.
 PlacedTets placed_tets(const Frame& frame, int scene_body);
-/// Of any frame, with the corners that all tets had in the first one. The body is not remeshed.
+/// For any frame, with the initial corners of all tets. The body must not be remeshed.
 PlacedTets placed_tets(const Frame& frame, std::span<const std::array<NodeId, 4>> first_tets, int scene_body);
 
 }  // namespace griffith::app

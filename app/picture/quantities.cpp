@@ -16,28 +16,28 @@ namespace griffith::app {
 namespace {
 
 using Value = double (*)(const Frame& frame, std::size_t index);
-/// Sets values from the index `first` on.
+/// Computes values from the index `first` on.
 using Fill = void (*)(const Frame& frame, std::size_t first, std::span<float> values);
 
 struct Quantity {
   std::string_view key;
   ValuePlace place;
-  Value value;          ///< null where there is a `fill`
-  Fill fill = nullptr;  ///< all at once
+  Value value;          ///< null if there is a `fill`
+  Fill fill = nullptr;  ///< computes all at once
 };
 
 double crack_age(const Frame& frame, std::size_t face) {
   return frame.time - frame.elements.opened[face / 4][face % 4];
 }
 
-/// The largest principal stresses, or with a sign of −1 the smallest, four elements side by side [Pa].
+/// Returns the largest principal stresses, or with a sign of −1 the smallest, of four elements at once [Pa].
 template <int sign>
 void fill_extreme_stresses(const Frame& frame, std::size_t first, std::span<float> values) {
   constexpr std::size_t kLanes = 4;
   for (std::size_t i = 0; i < values.size(); i += kLanes) {
     const std::size_t count = std::min(kLanes, values.size() - i);
     std::array<Mat3, kLanes> stresses;
-    for (std::size_t lane = 0; lane < kLanes; ++lane)  // lanes to spare repeat the last
+    for (std::size_t lane = 0; lane < kLanes; ++lane)  // extra lanes repeat the last element
       stresses[lane] = sign * frame.elements.stresses[first + i + std::min(lane, count - 1)];
     const std::array<double, kLanes> found = largest_principal_values(stresses);
     for (std::size_t lane = 0; lane < count; ++lane)
@@ -77,7 +77,7 @@ std::size_t value_count(const Frame& frame, ValuePlace place) {
   return (place == ValuePlace::face ? 4 : 1) * frame.elements.tets.size();
 }
 
-/// Differences below it are noise.
+/// Returns the width of a range below which differences are noise.
 double min_width(const Frame& frame, std::string_view key) {
   constexpr double kStressFraction = 1e-4, kMinForce = 1e-3, kMinDisplacement = 1e-6, kMinSpeed = 1e-3,
                    kMinEnergy = 1e-3, kMinAge = 1e-3;

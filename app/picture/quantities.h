@@ -9,33 +9,33 @@
 
 namespace griffith::app {
 
-/// What a scalar has one value of.
+/// Location of a scalar's values.
 enum class ValuePlace { tet, node, face };
 
-/// A scalar over a frame, for colours.
+/// A scalar field of a frame, for colors.
 struct QuantityValues {
   ValuePlace place = ValuePlace::tet;
-  std::vector<float> values;  ///< in the quantity's unit; of faces: four a tet, not a number where there is none
+  std::vector<float> values;  ///< in the quantity's unit; for faces four per tet, NaN where there is none
 };
 
-/// How near a tet was at rest to a regular one: 1 over its aspect ratio (mesh_quality.h), 0 flat to 1 regular.
+/// Returns the reciprocal of a tet's aspect ratio at rest (mesh_quality.h): 0 flat to 1 regular.
 double element_quality(const Frame& frame, std::size_t tet);
 
-/// Whether the quantity `key` has values, and a unit; false for those that only tell things apart.
+/// True if the quantity `key` has numeric values; false if it only distinguishes objects.
 bool is_scalar(std::string_view key);
 
-/// The values of the quantity `key`, one of view_quantities() with a unit; the others are no scalars.
+/// Returns the values of the scalar quantity `key`, one of view_quantities().
 QuantityValues quantity_values(const Frame& frame, std::string_view key);
 
-/// How many of the finite values lie in each of `bins` equal parts of the range, those beyond it at its ends.
+/// Returns counts of the finite values in `bins` equal parts of the range; values beyond it count at its ends.
 std::vector<int> histogram(const QuantityValues& values, const Vec2& range, int bins);
 
-/// As far below 0 as above.
+/// Extends a range to one symmetric about 0.
 Vec2 symmetric_range(const Vec2& range);
 
-/// Limits for colours that outliers do not spoil: from 0, or the 2nd percentile if values are negative, to the 98th.
-/// Utilization and element quality always read from 0 to 1. Values that are not finite don't count. Never empty: the
-/// least width is what is worth seeing of the quantity in these materials.
+/// Returns a color range that ignores outliers: from 0, or the 2nd percentile if values are negative, to the 98th.
+/// Utilization and element quality always range from 0 to 1. Values that are not finite are ignored. Never empty: the
+/// least width is the smallest relevant difference in these materials.
 Vec2 automatic_range(const Frame& frame, std::string_view key, const QuantityValues& values);
 
 }  // namespace griffith::app

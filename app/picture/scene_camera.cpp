@@ -20,7 +20,7 @@ std::string camera_names(const Scene& scene) {
   return names;
 }
 
-/// The double of the fewest decimal digits that is the number where it is rounded to single precision.
+/// Returns the double with the fewest decimal digits that rounds to the same float.
 double with_few_digits(float number) {
   std::array<char, 32> text;
   const char* end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;

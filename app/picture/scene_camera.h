@@ -8,12 +8,12 @@
 
 namespace griffith::app {
 
-/// The scene's camera of that name. An empty name means the first one or, if the scene has none, a view of everything
-/// from the front, above and to the right. Throws InputError for a name that the scene doesn't have.
+/// Returns the scene's camera of that name. An empty name gives the first camera or, without any, a view of everything
+/// from the front right, above. Throws InputError for an unknown name.
 render::Camera scene_camera(const Scene& scene, const std::string& name, const render::DrawScene& picture,
                             float aspect);
 
-/// A camera for scene files that shows what this one shows, with as few digits as that takes.
+/// Returns a camera for scene files that shows the same view, with the fewest digits.
 Camera described(const render::Camera& camera);
 
 }  // namespace griffith::app

@@ -11,19 +11,19 @@ namespace {
 
 using Eigen::AlignedBox2f, Eigen::Vector2f, Eigen::Vector3f;
 
-/// Where a camera sees places, in shares of the picture's width and height from its top left corner.
+/// Projection of points to fractions of the picture's width and height, from its top left corner.
 class Projection {
  public:
   Projection(const render::Camera& camera, float aspect)
       : matrix_(render::projection_matrix(camera, aspect, {}) * render::view_matrix(camera)) {}
 
-  /// Nothing for what lies behind the camera.
+  /// Returns the projected point; empty behind the camera.
   std::optional<Vector2f> operator()(const Vector3f& place) const {
     const Eigen::Vector4f clip = matrix_ * place.homogeneous();
     if (!(clip.w() > 0)) return std::nullopt;
     return Vector2f(0.5f + 0.5f * clip.x() / clip.w(), 0.5f - 0.5f * clip.y() / clip.w());
   }
-  /// How large a length at a place is seen, along both edges of the picture.
+  /// Returns the projected size of a length at a point, along both edges of the picture.
   Vector2f extent(const Vector3f& place, float length) const {
     const float w = matrix_.row(3).dot(place.homogeneous());
     return 0.5f * length / w * Vector2f(matrix_.row(0).head<3>().norm(), matrix_.row(1).head<3>().norm());
@@ -33,7 +33,7 @@ class Projection {
   Eigen::Matrix4f matrix_;
 };
 
-/// In which cells of a part of the picture something is seen.
+/// Cells of a part of the picture that contain something visible.
 class CoveredCells {
  public:
   explicit CoveredCells(const AlignedBox2f& part) : part_(part), cell_(part.sizes() / kCells) {}
@@ -43,7 +43,7 @@ class CoveredCells {
     const Eigen::Vector2i cell = ((place - part_.min()).cwiseQuotient(cell_)).cast<int>().cwiseMin(kCells - 1);
     cells_.set(static_cast<std::size_t>(cell.y() * kCells + cell.x()));
   }
-  /// A triangle, by points of it that are about a cell apart.
+  /// Adds a triangle, by points at a spacing of about a cell.
   void add(const Vector2f& a, const Vector2f& b, const Vector2f& c) {
     constexpr float kMaximum = 128;
     AlignedBox2f box(a);

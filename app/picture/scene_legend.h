@@ -12,25 +12,24 @@
 
 namespace griffith::app {
 
-/// What the picture's colours mean; nothing when it shows no scalar. `locked`: the range was set by hand.
+/// Returns the legend of the picture's colors; empty if it shows no scalar. `locked`: the range was set by the user.
 std::optional<ui::Legend> scene_legend(const render::DrawScene& picture, bool locked);
 
-/// The corner in which the legend covers least of what the picture shows. It stays in the one where it is unless it
-/// covers something there and less than half as much in another. `size`: of the picture [pixels], `scale`: of them per
-/// design pixel.
+/// Returns the corner in which the legend hides least of the picture. It stays in its corner unless it hides something
+/// there and less than half as much in another. `size`: of the picture [pixels], `scale`: of them per design pixel.
 ui::LegendCorner legend_corner(const render::DrawScene& picture, const render::Camera& camera, const ui::Legend& legend,
                                const ui::Fonts& fonts, ImVec2 size, float scale);
 
-/// What share of a part of the picture, given in shares of its width and height from its top left corner, shows
-/// surfaces, bodies' nodes or spheres, 0 to 1.
+/// Returns the fraction, 0..1, of a part of the picture that shows surfaces, nodes or spheres. The part is given in
+/// fractions of the picture's width and height from its top left corner.
 float covered_fraction(const render::DrawScene& picture, const render::Camera& camera, float aspect,
                        const Eigen::AlignedBox2f& part);
 
-/// That what is seen broke while it was scaled, in the middle: "pane broke at E/256, σ/16". Nothing where nothing did.
-/// `y`: as PictureLabel.
+/// Returns a centered label that says what broke while it was scaled: "pane broke at E/256, σ/16". Empty if nothing
+/// did. `y`: as in PictureLabel.
 std::optional<ui::PictureLabel> scaling_label(const Scene& scene, const Frame& frame, float y);
 
-/// The picture's labels where the camera sees them; none for what lies behind it.
+/// Returns the picture's labels at their projected positions; none behind the camera.
 std::vector<ui::PictureLabel> scene_labels(const render::DrawScene& picture, const render::Camera& camera,
                                            float aspect);
 

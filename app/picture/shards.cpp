@@ -5,7 +5,7 @@
 namespace griffith::app {
 namespace {
 
-/// The splinters of a frame without what follows their cracks: the frame does.
+/// Returns the splinters of a frame without their crack state.
 SplinterSet set_of(const Frame::Splinters& splinters) {
   SplinterSet set;
   set.splinters.assign(splinters.splinters.begin(), splinters.splinters.end());
@@ -44,7 +44,7 @@ void Shards::make(const Frame& frame, const Scene& scene, const Monitor& monitor
   radial_ = std::move(radial);
 }
 
-/// Round which cracks they lie in that frame; where nothing has cracked, as before.
+/// Returns the places of first cracks around which shards lie in that frame; unchanged before the first crack.
 FirstCracks Shards::centers_in(const Frame& frame, const Scene& scene) const {
   FirstCracks centers = centers_;
   const FirstCracks cracks = first_cracks(frame, scene.bodies.size());

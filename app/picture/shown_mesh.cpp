@@ -9,7 +9,7 @@
 namespace griffith::app {
 namespace {
 
-/// Where the pieces that still hold together are, by mass: what is exploded moves away from it.
+/// Returns the center of mass of the pieces that are still connected, from which an exploded view moves pieces away.
 Vec3 common_center(const Frame& frame) {
   Vec3 moment = Vec3::Zero();
   double mass = 0;
@@ -31,8 +31,8 @@ std::vector<Vec3> offsets_of(const Frame& frame, double explode, const HiddenBod
   return offsets;
 }
 
-/// Fine meshes have signs larger than their elements, in proportion to the largest body, but not so large that those
-/// of neighbours cover each other.
+/// Returns the size of symbols. In fine meshes they are larger than elements, in proportion to the largest body, but
+/// small enough not to overlap.
 double sign_size(const Frame& frame, double element_size) {
   constexpr double kShare = 1.0 / 30, kMaxElements = 4;
   std::vector<Eigen::AlignedBox3d> boxes(frame.materials.size());

@@ -11,7 +11,7 @@
 namespace griffith::app {
 namespace {
 
-/// A body's surface where it stands, and the body's tets below it.
+/// A body's surface in its initial placement, with the tets below it.
 struct SurfaceOnTets {
   const TriangleSurface& surface;
   const PlacedTets& placed;
@@ -28,7 +28,7 @@ struct SurfaceOnTets {
     return corner;
   }
 
-  /// What a corner has of triangle `t` where it has these barycentric coordinates in it.
+  /// Interpolates the attributes of triangle `t` at barycentric coordinates.
   void dress(SkinCorner& corner, std::size_t t, const Vec3& weights) const {
     for (int i = 0; i < 3; ++i) {
       corner.normal += weights[i] * normals[t][i];
@@ -53,7 +53,8 @@ Skin whole_skin(const SurfaceOnTets& body, int scene_body) {
   return skin;
 }
 
-/// The tet that owns what is in a cell near a place: that of the cell's splinter there, else of one in the tet there.
+/// Returns the tet that owns a point of a cell: the owner of the cell's splinter there, else that of a splinter in the
+/// tet.
 int owner_near(const BodyShards& shards, const TetLocator& locator, int cell, const Vec3& place) {
   const EmbeddedPoint point = locator.locate(place);
   const std::vector<int>& of_cell = shards.set.parts_of_cell[cell];
@@ -73,10 +74,10 @@ Vec3 barycentric(const std::array<Vec3, 3>& triangle, const Vec3& place) {
   return weights / normal.squaredNorm();
 }
 
-/// Hands every part of a triangle to `add(cell, polygon)`: from the cell in its middle to all that it reaches into.
+/// Passes every part of a triangle to `add(cell, polygon)`, starting with the cell at its center.
 template <class Add>
 void part(const std::array<Vec3, 3>& triangle, const CellPartition& cells, int& start, const Add& add) {
-  constexpr double kSmallest = 1e-9;  // of its area
+  constexpr double kSmallest = 1e-9;  // fraction of its area
   const std::vector<Vec3> whole(triangle.begin(), triangle.end());
   const double area = area_vector(whole).norm();
   start = locate(cells, (triangle[0] + triangle[1] + triangle[2]) / 3, start);

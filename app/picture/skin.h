@@ -10,30 +10,30 @@
 
 namespace griffith::app {
 
-/// What carries a corner of a body's original surface: the tet that holds it while that belongs to the body of the tet
-/// that owns the polygon, else the owner.
+/// Carrier of a corner of a body's original surface: the tet that contains it, as long as it belongs to the same body
+/// as the tet that owns the polygon; else the owner.
 struct SkinPart {
   TetId tet, owner;
 };
 
-/// The tet that carries a part in this frame.
+/// Returns the tet that carries a part in this frame.
 TetId skin_carrier(const Frame& frame, const SkinPart& part);
 
 /// A corner of a polygon of the surface.
 struct SkinCorner {
   SkinPart part;
   std::array<double, 4> weights = {}, owner_weights = {};  ///< barycentric, in the two tets
-  Vec3 rest = Vec3::Zero(), normal = Vec3::Zero();         ///< as it stood in the world at the start [m], [-]
+  Vec3 rest = Vec3::Zero(), normal = Vec3::Zero();         ///< initial position [m] and normal [-] in the world
   Vec2 uv = Vec2::Zero();
 };
 
-/// The surface that a body was filled from, carried by its tets: its triangles, owned by the tets in their middles; or,
-/// where the body has shards, the polygons into which these part them, owned by the shards' owners.
+/// Original surface of a body, carried by its tets: triangles owned by the tets at their centers or, if the body has
+/// shards, the polygons into which these split the triangles, owned by the shards' owners.
 struct Skin {
   int scene_body = 0;
   bool has_uvs = false;
-  std::vector<int> first_corner = {0};  ///< per polygon, and the end
-  std::vector<SkinCorner> corners;      ///< by polygon, counter-clockwise seen from outside
+  std::vector<int> first_corner = {0};  ///< index of the first corner of each polygon, and the end
+  std::vector<SkinCorner> corners;      ///< by polygon, counterclockwise seen from outside
 
   int polygons() const { return static_cast<int>(first_corner.size()) - 1; }
   std::span<const SkinCorner> polygon(int i) const {
@@ -41,15 +41,15 @@ struct Skin {
   }
 };
 
-/// Where a corner is in this frame [m].
+/// Returns the position of a corner in this frame [m].
 Vec3 skin_position(const Frame& frame, const SkinCorner& corner);
 
-/// The skins of all bodies that have one, their triangles whole: filled from a surface, without splinters, and not
-/// remeshed, which would take the tets away from under it. `frame`: before anything broke. Throws InputError when a
+/// Returns the skins of all bodies that have one, with undivided triangles: bodies made from a surface, without
+/// splinters and not remeshed, which would remove the tets below. `frame`: before any fracture. Throws InputError if a
 /// file cannot be read.
 std::vector<Skin> make_skins(const Frame& frame, const Scene& scene);
 
-/// The surface that a body shows, which `shards` has, parted by them.
+/// Returns the original surface in `shards`, split by them.
 Skin make_skin(const BodyShards& shards);
 
 }  // namespace griffith::app

@@ -10,7 +10,7 @@ Weights single(const std::array<double, 4>& weights) {
   return Weights(float(weights[0]), float(weights[1]), float(weights[2]), float(weights[3]));
 }
 
-/// A normal as the renderer carries it: its products with the edges from the first point of its tet.
+/// Returns a normal in the form of the renderer: its products with the edges from the first point of its tet.
 render::CarriedNormal carried_normal(const Frame& frame, const Vec3& normal, TetId tet,
                                      const std::array<int, 4>& order) {
   const auto place = [&](int i) -> const Vec3& {

@@ -7,7 +7,7 @@
 namespace griffith::app {
 
 void SteadyRange::follow(const Frame& frame, const std::string& quantity, const QuantityValues* values) {
-  constexpr double kReturn = 0.08;  // of the way inwards a step: half of it in 8 steps
+  constexpr double kReturn = 0.08;  // fraction of the distance inward per step: half of it in 8 steps
   const bool goes_on = quantity == quantity_ && frame.step >= step_;
   if (goes_on && frame.step == step_) return;
   quantity_ = quantity;

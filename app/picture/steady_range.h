@@ -10,22 +10,21 @@
 
 namespace griffith::app {
 
-/// The automatic range of the colours, without jumps from step to step: each end moves outwards at once and back
-/// inwards by a small part of the way a time step. It depends on the steps that it followed alone, not on when pictures
-/// were drawn.
+/// Automatic range of colors without jumps between steps: each end moves outward at once and back inward by a small
+/// fraction of the distance per time step. It depends on the followed steps alone, not on when pictures were drawn.
 class SteadyRange {
  public:
-  /// Takes in the frame of a step, none left out; again the same step changes nothing. Another quantity than before, or
-  /// an earlier step, starts anew. `values`: of the quantity in that frame, for whoever has them.
+  /// Updates the range with the frame of the next step. Repeating a step changes nothing; another quantity or an
+  /// earlier step restarts the range. `values`: of the quantity in that frame, if already computed.
   void follow(const Frame& frame, const std::string& quantity, const QuantityValues* values = nullptr);
-  /// The next frame is of another world.
+  /// Restarts the range for another world.
   void restart() { quantity_.clear(); }
 
-  /// Range of the quantity that was followed last; nothing where that is no scalar.
+  /// Returns the range of the last quantity; empty if it is no scalar.
   const std::optional<Vec2>& range() const { return range_; }
 
  private:
-  std::string quantity_;  ///< empty: followed none yet
+  std::string quantity_;  ///< empty: none followed yet
   std::int64_t step_ = 0;
   std::optional<Vec2> range_;
 };

@@ -9,16 +9,16 @@
 namespace griffith::app {
 namespace {
 
-constexpr double kTypical = 0.95;  // the quantile that a sign of ordinary size stands for
+constexpr double kTypical = 0.95;  // quantile represented by a symbol of normal size
 
-/// A stressed element with its principal stresses.
+/// An element with its principal stresses.
 struct StressedTet {
   TetId tet;
   Vec3 center;
   PrincipalValues stress;
 };
 
-/// All visible ones, and a stress that is large among them [Pa].
+/// All visible elements, and a large stress among them [Pa].
 struct StressField {
   std::vector<StressedTet> tets;
   double typical = 0;
@@ -41,7 +41,7 @@ StressField stress_field(const ShownMesh& shown) {
 
 const render::Rgb& sign_of(double stress) { return stress > 0 ? sign_color::kTension : sign_color::kCompression; }
 
-/// The top eigenvector's colour: pale far from breaking, red at the limit.
+/// Returns the color of the largest eigenvector: pale far from fracture, red at the limit.
 render::Rgb utilization_color(double utilization) {
   return render::color_map_color(render::ColorMap::coolwarm,
                                  static_cast<float>(0.5 + 0.5 * std::clamp(utilization, 0.0, 1.0)));
@@ -71,7 +71,7 @@ void add_stress_axes(const ShownMesh& shown, render::DrawScene& picture) {
 }
 
 void add_stress_ellipsoids(const ShownMesh& shown, render::DrawScene& picture) {
-  constexpr double kThinnest = 0.08;  // of the longest axis, or it could not be seen
+  constexpr double kThinnest = 0.08;  // fraction of the longest axis, else it would be invisible
   const StressField field = stress_field(shown);
   const double reach = 0.3 * shown.element_size * shown.view.glyph_scale;
   for (const StressedTet& tet : field.tets) {

@@ -11,7 +11,7 @@
 namespace griffith::app {
 namespace {
 
-/// Arrows at nodes for vectors of any unit, the largest one `reach` long.
+/// Adds arrows at nodes for vectors of any unit, the largest one `reach` long.
 void add_node_arrows(const ShownMesh& shown, std::span<const Vec3> vectors, const render::Rgb& color, bool pushing,
                      render::DrawScene& picture) {
   double largest = 0;
@@ -39,7 +39,7 @@ void add_support(const ShownMesh& shown, std::size_t node, render::DrawScene& pi
     picture.glyphs.boxes.push_back(
         {place.cast<float>(), (size * Mat3::Identity()).cast<float>(), sign_color::kSupport});
   } else {
-    // The blocked directions are those that the projector takes away: eigenvalue 0.
+    // The blocked directions are those that the projector removes: eigenvalue 0.
     const PrincipalValues allowed = principal_values(constraint.allowed);
     for (int i = 0; i < constraint.blocked; ++i)
       picture.glyphs.discs.push_back(disc(place, allowed.directions.col(i), 1.6 * size, sign_color::kSupport, 1));
@@ -118,7 +118,7 @@ void add_probes(const ShownMesh& shown, render::DrawScene& picture) {
   for (const PlacedProbe& probe : shown.frame.probes) {
     if (probe.nodes.empty()) continue;
     const Vec3 place = place_of(probe, shown);
-    if (!place.allFinite()) continue;  // of a hidden body
+    if (!place.allFinite()) continue;  // in a hidden body
     picture.glyphs.balls.push_back(ball(place, size, sign_color::kProbe));
     for (const ProbedNode& node : probe.nodes)
       picture.points.push_back(

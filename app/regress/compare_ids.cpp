@@ -12,7 +12,7 @@ std::vector<std::int32_t> sorted_ids(std::vector<std::int32_t> ids) {
   return ids;
 }
 
-/// "; gone: 3, 7 and 12 others", of the ids in `all` that are not in `other`, both sorted.
+/// Lists the ids in `all` that are not in `other`, both sorted: "; gone: 3, 7 and 12 others".
 std::string missing_text(const char* what, const std::vector<std::int32_t>& all,
                          const std::vector<std::int32_t>& other) {
   constexpr std::size_t kNamed = 6;

@@ -7,15 +7,16 @@
 
 namespace griffith::app {
 
-/// What is drawn elsewhere, and whether it may.
+/// Result of the comparison of ids.
 struct IdComparison {
   bool passed = false;
-  std::string reason;                ///< a sentence; names ids that are gone or new
-  OffPixels off;                     ///< pixels of another id; zero where the sizes differ
-  std::vector<ToleranceRule> rules;  ///< what was found and what is allowed; none where the sizes differ
+  std::string reason;                ///< a sentence with the ids that are gone or new
+  OffPixels off;                     ///< pixels with different ids; zero if the sizes differ
+  std::vector<ToleranceRule> rules;  ///< measured and allowed values; none if the sizes differ
 };
 
-/// Every pixel whose id differs is off: ids are not blended, so edges of objects are where noise of drivers may be.
+/// Compares ids. Every pixel with a different id is off: ids are not blended, so noise of drivers appears at edges of
+/// objects.
 IdComparison compare_ids(const render::IdImage& golden, const render::IdImage& actual, const OffLimits& limits = {});
 
 }  // namespace griffith::app

@@ -9,7 +9,7 @@ namespace griffith::app {
 namespace {
 
 constexpr int kColorChannels = 4;
-constexpr int kDriftTile = 32;  // rounding cancels in as many pixels
+constexpr int kDriftTile = 32;  // rounding cancels over as many pixels
 
 using Color = std::array<std::uint8_t, 4>;
 
@@ -17,7 +17,7 @@ std::size_t offset(const render::Image& image, int x, int y) {
   return kColorChannels * (static_cast<std::size_t>(y) * image.width + x);
 }
 
-/// The largest difference of a pixel's channels. `at`: of its first byte.
+/// Returns the largest difference of a pixel's channels. `at`: index of its first byte.
 int pixel_difference(const render::Image& golden, const render::Image& actual, std::size_t at) {
   int largest = 0;
   for (std::size_t i = at; i < at + kColorChannels; ++i)
@@ -33,7 +33,7 @@ PixelMask image_mask(const render::Image& golden, const render::Image& actual, i
   return mask;
 }
 
-/// The mean signed difference of the pixels in `rect` that are not off, in the channel where it is largest.
+/// Returns the mean signed difference of the pixels in `rect` that are not off, in the channel where it is largest.
 double drift_in(const render::Image& golden, const render::Image& actual, const PixelMask& mask,
                 const PixelRect& rect) {
   std::array<std::int64_t, kColorChannels> sums = {};
@@ -70,18 +70,18 @@ std::vector<ToleranceRule> image_rules(const ImageComparison& comparison, const 
 }
 
 std::string image_reason(const ImageComparison& comparison) {
-  if (comparison.equal) return "equal to the byte";
+  if (comparison.equal) return "identical";
   if (comparison.passed) return "within the tolerance, pixels off: " + std::to_string(comparison.off.count);
   return broken_rules(comparison.rules);
 }
 
-/// The pixel's brightness, drawn near to white.
-std::uint8_t faint_grey(const render::Image& image, std::size_t at) {
-  const double grey = 0.30 * image.rgba[at] + 0.59 * image.rgba[at + 1] + 0.11 * image.rgba[at + 2];
-  return static_cast<std::uint8_t>(170 + grey / 3.2);
+/// Returns the pixel's brightness, moved toward white.
+std::uint8_t faint_gray(const render::Image& image, std::size_t at) {
+  const double gray = 0.30 * image.rgba[at] + 0.59 * image.rgba[at + 1] + 0.11 * image.rgba[at + 2];
+  return static_cast<std::uint8_t>(170 + gray / 3.2);
 }
 
-/// The colour that marks a difference too small to be off.
+/// Returns the color that marks a difference too small to be off.
 Color small_difference_color(const render::Image& golden, const render::Image& actual, std::size_t at) {
   int sum = 0;
   for (std::size_t i = at; i < at + kColorChannels; ++i) sum += actual.rgba[i] - golden.rgba[i];
@@ -92,7 +92,7 @@ void paint(render::Image& image, int x, int y, const Color& color) {
   std::ranges::copy(color, image.rgba.begin() + static_cast<std::ptrdiff_t>(offset(image, x, y)));
 }
 
-/// Paints rings about the pixels that are off, as wide in proportion to the picture whatever its size.
+/// Paints rings around the pixels that are off, with a width proportional to the picture.
 void paint_rings(render::Image& image, const PixelMask& mask) {
   const int reach = std::max(2, image.width / 160);
   const auto is_off = [&](int x, int y) {
@@ -134,7 +134,7 @@ render::Image difference_image(const render::Image& golden, const render::Image&
                                const ImageTolerance& tolerance) {
   render::Image image = actual;
   for (std::size_t at = 0; at < actual.rgba.size(); at += kColorChannels)
-    std::fill_n(image.rgba.begin() + static_cast<std::ptrdiff_t>(at), 3, faint_grey(actual, at));
+    std::fill_n(image.rgba.begin() + static_cast<std::ptrdiff_t>(at), 3, faint_gray(actual, at));
   const PixelMask mask = image_mask(golden, actual, tolerance.channel);
   paint_rings(image, mask);
   for (int y = 0; y < image.height; ++y)

@@ -18,7 +18,7 @@ Lines lines_of(std::string_view text) {
   return lines;
 }
 
-/// Lengths of the longest common subsequences of what follows line i of one and line j of the other text.
+/// Lengths of the longest common subsequences of the lines from i on of one text and from j on of the other.
 class CommonLengths {
  public:
   CommonLengths(const Lines& a, const Lines& b) : columns_(b.size() + 1), lengths_((a.size() + 1) * columns_) {
@@ -35,7 +35,7 @@ class CommonLengths {
 
 void add(std::vector<DiffLine>& diff, Kind kind, std::string_view line) { diff.push_back({kind, std::string(line)}); }
 
-/// The lines of both, where neither the first nor the last are equal.
+/// Adds the lines of both texts, whose first and last lines differ.
 void add_changed(std::vector<DiffLine>& diff, const Lines& golden, const Lines& actual) {
   constexpr std::size_t kMostPairs = 4'000'000;
   std::size_t i = 0, j = 0;
@@ -56,7 +56,7 @@ void add_changed(std::vector<DiffLine>& diff, const Lines& golden, const Lines& 
   for (; j < actual.size(); ++j) add(diff, Kind::added, actual[j]);
 }
 
-/// Leaves out the equal lines that are farther than `context` from any change.
+/// Removes the equal lines that are farther than `context` from any change.
 std::vector<DiffLine> near_changes(const std::vector<DiffLine>& diff, int context) {
   std::vector<bool> shown(diff.size());
   const auto size = static_cast<std::ptrdiff_t>(diff.size());

@@ -15,9 +15,9 @@ struct DiffLine {
   bool operator==(const DiffLine&) const = default;
 };
 
-/// The fewest lines to remove and to add that make `golden` into `actual`, each with `context` equal lines about it.
-/// Empty for equal texts. Where more than some 2,000 lines lie between the first and the last change, all of them are
-/// taken for changed.
+/// Returns the fewest lines to remove and add to get from `golden` to `actual`, each with `context` equal lines around
+/// it. Empty for equal texts. If more than about 2,000 lines lie between the first and the last change, all of them
+/// count as changed.
 std::vector<DiffLine> compare_text(std::string_view golden, std::string_view actual, int context = 2);
 
 }  // namespace griffith::app

@@ -19,7 +19,7 @@ std::string seconds_text(double seconds) {
   return text;
 }
 
-/// What went wrong, or nothing.
+/// Returns the failure or error of a picture; empty if it passed.
 std::string outcome_xml(const PictureResult& result) {
   if (result.status == PictureStatus::passed) return "";
   const std::string element = result.status == PictureStatus::error ? "error" : "failure";

@@ -19,7 +19,7 @@ std::string statistic_text(double value) {
   return text;
 }
 
-/// The metadata with the state's hash.
+/// Returns the metadata with the state's hash.
 std::vector<std::pair<std::string, std::string>> all_metadata(const RegressionPicture& picture) {
   auto metadata = picture.metadata;
   if (picture.state_hash) metadata.emplace_back("state hash", hash_text(*picture.state_hash));
@@ -32,7 +32,7 @@ std::vector<std::pair<std::string, std::string>> statistic_texts(const Regressio
   return texts;
 }
 
-/// Values side by side, in the order of the actual ones; those that only the golden picture has come last.
+/// Pairs values by name in the order of the actual ones; names of the golden picture alone come last.
 std::vector<Row> side_by_side(const std::vector<std::pair<std::string, std::string>>& golden,
                               const std::vector<std::pair<std::string, std::string>>& actual) {
   std::vector<Row> rows;
@@ -48,19 +48,19 @@ std::vector<Row> side_by_side(const std::vector<std::pair<std::string, std::stri
   return rows;
 }
 
-/// As wide as suits a list of many.
+/// Scales an image to the size of a thumbnail.
 render::Image thumbnail_of(const render::Image& image) {
   constexpr int kWidth = 192;
   if (image.width <= kWidth) return image;
   return render::resized(image, kWidth, std::max(1, image.height * kWidth / image.width));
 }
 
-/// The tile that shows best what is wrong.
+/// Returns the tile that shows the difference best.
 PixelRect tile_to_show(const ImageComparison& comparison) {
   return comparison.off.count > 0 ? comparison.off.worst_tile : comparison.drift_tile;
 }
 
-/// 48×48 pixels about the middle of the tile, or what the picture has of them.
+/// Returns up to 48×48 pixels around the center of the tile.
 render::Image surroundings(const render::Image& image, const PixelRect& tile) {
   constexpr int kSide = 48;
   const int width = std::min(kSide, image.width), height = std::min(kSide, image.height);
@@ -87,7 +87,7 @@ void keep_images(PictureResult& result, const RegressionPicture& golden, const R
   result.difference_tile = render::encode_png(surroundings(difference, tile));
 }
 
-/// What is known of a picture without a golden one.
+/// Returns the result without the comparison.
 PictureResult described(const std::string& name, const RegressionPicture& golden, const RegressionPicture& actual) {
   PictureResult result;
   result.name = name;
@@ -97,7 +97,7 @@ PictureResult described(const std::string& name, const RegressionPicture& golden
   return result;
 }
 
-/// The fields in which the scenes differ, long values cut short.
+/// Returns the fields in which the scenes differ, with long values truncated.
 std::optional<std::vector<Row>> scene_rows(const RegressionPicture& golden, const RegressionPicture& actual) {
   if (golden.scene.empty() || actual.scene.empty()) return std::nullopt;
   const auto shortened = [](std::optional<std::string> value) {
@@ -112,9 +112,10 @@ std::optional<std::vector<Row>> scene_rows(const RegressionPicture& golden, cons
   return rows;
 }
 
-/// "1 field of the scene changed, projectiles/0/speed: 10, now 12"; with many, the first.
+/// Describes the differences: "1 field of the scene changed, projectiles/0/speed: 10, now 12"; if there are many, the
+/// first.
 std::string scene_sentence(const std::vector<Row>& scene) {
-  if (scene.empty()) return "No field of the scene changed: the program did, or a file that the scene names";
+  if (scene.empty()) return "No field of the scene changed; the program or a file of the scene did";
   const Row& first = scene.front();
   const auto text = [](const std::optional<std::string>& value) { return value.value_or("none"); };
   return std::to_string(scene.size()) + (scene.size() == 1 ? " field" : " fields") + " of the scene changed, " +
@@ -124,9 +125,9 @@ std::string scene_sentence(const std::vector<Row>& scene) {
 std::string reason_of(const PictureResult& result) {
   std::string reason;
   const auto add = [&](const std::string& sentence) { reason += (reason.empty() ? "" : " ") + sentence + "."; };
-  if (result.simulation_changed.value_or(false)) add("The simulation changed: its state has another hash");
+  if (result.simulation_changed.value_or(false)) add("The simulation changed: the hash of its state differs");
   if (!result.image.passed && result.simulation_changed == std::optional(false))
-    add("The simulation is the same to the bit, the drawing changed");
+    add("The simulation is identical; the drawing changed");
   if (result.scene && (!result.scene->empty() || result.simulation_changed.value_or(false)))
     add(scene_sentence(*result.scene));
   add("Picture: " + result.image.reason);
@@ -169,7 +170,7 @@ PictureResult compare_pictures(const std::string& name, const RegressionPicture&
 PictureResult without_golden(const std::string& name, const RegressionPicture& actual) {
   PictureResult result = described(name, {}, actual);
   result.status = PictureStatus::missing_golden;
-  result.reason = "There is no golden picture. Look at this one, and accept it if it is right.";
+  result.reason = "There is no golden picture. Look at this one and accept it if it is correct.";
   result.actual = render::encode_png(actual.image);
   return result;
 }

@@ -12,54 +12,54 @@
 
 namespace griffith::app {
 
-/// A picture and what explains it, as it was accepted or as it is drawn now.
+/// A golden or newly drawn picture with its record.
 struct RegressionPicture {
   render::Image image;
-  render::IdImage ids;                      ///< what is drawn at each pixel; empty: not known
-  std::string text;                         ///< what is written in it: labels, widgets and their values
-  std::optional<std::uint64_t> state_hash;  ///< of the world that it shows
-  std::string scene;                        ///< as full_scene_text() has it; empty: not kept
+  render::IdImage ids;                                        ///< id at each pixel; empty: unknown
+  std::string text;                                           ///< text in the picture: labels, widgets and their values
+  std::optional<std::uint64_t> state_hash;                    ///< hash of the shown world
+  std::string scene;                                          ///< from full_scene_text(); empty: not kept
   std::vector<std::pair<std::string, std::string>> metadata;  ///< renderer, scene, frame, view, camera, version, ...
   std::vector<std::pair<std::string, double>> statistics;     ///< pieces, cracks, energies, ...
 };
 
 enum class PictureStatus { passed, failed, missing_golden, error };
 
-/// "missing_golden", as reports call it.
+/// Returns the name of a status in reports: "missing_golden".
 const char* status_name(PictureStatus status);
 
-/// What became of a picture, with what the report shows of it. Holds PNG files, not images, for there may be many.
+/// Result of a picture with the content of the report. Holds PNG files instead of images, since there may be many.
 struct PictureResult {
   std::string name;
   PictureStatus status = PictureStatus::error;
-  std::string reason;                      ///< why, in whole sentences
-  std::optional<bool> simulation_changed;  ///< by the state's hash; absent where either is not known
+  std::string reason;                      ///< reason in complete sentences
+  std::optional<bool> simulation_changed;  ///< by the state's hash; absent if either is unknown
   ImageComparison image;
   IdComparison ids;
   std::vector<DiffLine> text;  ///< empty: equal
-  // Bytes of PNG files; empty where there is none. Of a picture that passed the thumbnail alone is kept.
+  // Bytes of PNG files; empty if there is none. A passed picture keeps only its thumbnail.
   std::string thumbnail, golden, actual, difference, golden_ids, actual_ids;
-  std::string golden_tile, actual_tile, difference_tile;  ///< the worst tile with what surrounds it
-  // Golden and actual, by their names; where one has no such name its value is absent.
+  std::string golden_tile, actual_tile, difference_tile;  ///< worst tile with its surroundings
+  // Golden and actual value of a name; absent values have no entry on that side.
   struct Row {
     std::string name;
     std::optional<std::string> golden, actual;
   };
   std::vector<Row> metadata, statistics;
-  std::optional<std::vector<Row>> scene;  ///< fields that differ, by their pointers; absent where a scene is not kept
-  std::string accept_command;             ///< makes the actual picture the golden one
-  double seconds = 0;                     ///< that the picture took
+  std::optional<std::vector<Row>> scene;  ///< fields that differ, by their pointers; absent if a scene is not kept
+  std::string accept_command;             ///< accepts the actual picture as golden
+  double seconds = 0;                     ///< duration of drawing
 };
 
-/// Compares all that there is of a picture. It passes when the image and the ids are within the tolerance, the text is
-/// the same and so is the simulation's state.
+/// Compares a picture with its golden one. It passes if image and ids are within the tolerance and text and state of
+/// the simulation are equal.
 PictureResult compare_pictures(const std::string& name, const RegressionPicture& golden,
                                const RegressionPicture& actual, const ImageTolerance& tolerance = {});
 
-/// Of a picture that nothing was accepted for.
+/// Returns the result of a picture without a golden one.
 PictureResult without_golden(const std::string& name, const RegressionPicture& actual);
 
-/// Of a picture that could not be drawn or read.
+/// Returns the result of a picture that could not be drawn or read.
 PictureResult without_picture(const std::string& name, const std::string& error);
 
 }  // namespace griffith::app

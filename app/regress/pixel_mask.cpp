@@ -7,7 +7,7 @@
 namespace griffith::app {
 namespace {
 
-constexpr int kTile = 16;  // a letter that is lost is a twentieth of it
+constexpr int kTile = 16;  // a missing letter is a twentieth of it
 constexpr int kTileSpacing = kTile / 2;
 
 int count_in(const PixelMask& mask, const PixelRect& rect) {

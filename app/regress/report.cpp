@@ -43,10 +43,10 @@ std::string filter_html(std::span<const PictureResult> results) {
     html += std::string("<button data-shows=\"") + status_name(status) + "\" aria-pressed=\"false\">" +
             kLabels[static_cast<std::size_t>(status)] + "</button>\n";
   }
-  return html + "<input type=\"search\" placeholder=\"Words of a name\" aria-label=\"Words of a name\"></div>\n";
+  return html + "<input type=\"search\" placeholder=\"Search names\" aria-label=\"Search names\"></div>\n";
 }
 
-/// How near a picture that passed is to its golden one.
+/// Describes the remaining difference of a picture that passed.
 std::string nearness(const ImageComparison& comparison) {
   if (comparison.equal) return "equal";
   return std::to_string(comparison.off.count) + (comparison.off.count == 1 ? " pixel off" : " pixels off");
@@ -58,7 +58,7 @@ std::string thumbnail_html(const PictureResult& result) {
          escape_markup(result.name) + " · " + nearness(result.image) + "</figcaption></figure>\n";
 }
 
-/// The thumbnails, folded up when there is something else to look at.
+/// Returns the thumbnails, folded if other pictures need attention.
 std::string passed_html(std::span<const PictureResult> results) {
   const int passed = count_of(results, PictureStatus::passed);
   if (passed == 0) return "";

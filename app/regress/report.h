@@ -7,19 +7,19 @@
 
 namespace griffith::app {
 
-/// What a report says of the run as a whole.
+/// Description of the whole run for the report.
 struct ReportHeading {
-  std::string suite;           ///< its folder or name
+  std::string suite;           ///< folder or name of the suite
   std::string renderer;        ///< GL_RENDERER
-  std::string version;         ///< of the program
-  std::string accept_command;  ///< makes all actual pictures golden ones; empty: none is offered
-  double seconds = 0;          ///< that the run took
+  std::string version;         ///< version of the program
+  std::string accept_command;  ///< accepts all actual pictures as golden; empty: not offered
+  double seconds = 0;          ///< duration of the run
 };
 
-/// One page of HTML that needs no other file: what failed first, with golden and actual picture, their difference, the
-/// two in one place (blinking, or beside a line that slides), the worst tile, whether the simulation or the drawing
-/// changed, metadata and statistics side by side, changed lines of text and the command that accepts; then the others
-/// as thumbnails. About 0.15 MB for each 320×180 picture that failed and 0.02 MB for one that passed.
+/// Returns one HTML page that needs no other file. Failures come first, with golden and actual picture, their
+/// difference, an overlay of both (blinking or with a slider), the worst tile, whether the simulation or the drawing
+/// changed, metadata and statistics side by side, changed lines of text and the command that accepts; the others follow
+/// as thumbnails. About 0.15 MB for each failed 320×180 picture and 0.02 MB for each that passed.
 std::string report_html(const ReportHeading& heading, std::span<const PictureResult> results);
 
 }  // namespace griffith::app

@@ -1,7 +1,7 @@
 'use strict';
 const all = (selector, root = document) => [...root.querySelectorAll(selector)];
 
-// What is listed: pictures of one status whose name holds the words that are sought.
+// List pictures of one status whose names contain the search words.
 let wanted = 'all';
 const search = document.querySelector('.filter input');
 function filter() {
@@ -24,7 +24,7 @@ for (const button of all('.filter button')) {
 }
 search.addEventListener('input', filter);
 
-// Golden and new picture in one place: beside a line that slides, or in turn, four changes a second.
+// Overlay golden and new picture: with a slider, or blinking four times a second.
 for (const stage of all('.stage')) {
   const article = stage.closest('article');
   const button = article.querySelector('.blink'), slider = article.querySelector('.slider');

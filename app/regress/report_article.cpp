@@ -8,7 +8,7 @@
 namespace griffith::app {
 namespace {
 
-/// An image with its caption. `kind`: the image's class.
+/// Returns an image with its caption. `kind`: the image's class.
 std::string figure(const std::string& png, const std::string& kind, const std::string& caption) {
   if (png.empty()) return "";
   return "<figure><img class=\"" + kind + "\" src=\"" + png_data_uri(png) + "\" alt=\"" + caption +
@@ -44,7 +44,7 @@ std::string article_header(const PictureResult& result, const std::string& ancho
          status_badge(result.status) + cause_badge(result) + "</header>\n";
 }
 
-/// Golden, actual and difference side by side.
+/// Returns golden, actual and difference side by side.
 std::string sides(const PictureResult& result) {
   const std::string figures = figure(result.golden, "golden", "golden") + figure(result.actual, "new", "new") +
                               figure(result.difference, "difference", "difference");
@@ -61,7 +61,7 @@ std::string rule_row(const ToleranceRule& rule) {
          rule_text(rule, rule.allowed) + "</td></tr>\n";
 }
 
-/// All rules, with what was found and what is allowed.
+/// Returns a table of all rules with measured and allowed values.
 std::string rule_table(const PictureResult& result) {
   std::string table =
       "<table><thead><tr><th>Compared</th><th class=\"number\">found</th><th class=\"number\">allowed</th></tr></thead>"
@@ -80,11 +80,11 @@ std::string worst_tile(const PictureResult& result) {
          figure(result.actual_tile, "tile", "new") + figure(result.difference_tile, "tile", "difference") + "</div>\n";
 }
 
-/// Both pictures in one place, which the script fills in, the worst tile and what the rules say.
+/// Returns the overlay of both pictures, filled in by the script, the worst tile and the rules.
 std::string closer_look(const PictureResult& result) {
   if (result.difference_tile.empty()) return "";
   constexpr char kStage[] =
-      "<div class=\"over\" hidden><h3>One over the other</h3>\n"
+      "<div class=\"over\" hidden><h3>Overlay</h3>\n"
       "<div class=\"stage\"><img class=\"golden\" alt=\"golden\"><img class=\"new\" alt=\"new\"><div "
       "class=\"line\"></div>"
       "<span class=\"side left\">golden</span><span class=\"side right\">new</span></div>\n"
@@ -100,7 +100,7 @@ std::string cell(const std::optional<std::string>& value, const std::string& att
   return "<td" + attributes + ">" + (value ? escape_markup(*value) : "<span class=\"muted\">none</span>") + "</td>";
 }
 
-/// Both values where they differ, one in place of both where they do not.
+/// Returns a row with both values if they differ, else with their common one.
 std::string value_row(const PictureResult::Row& row, bool has_golden, const std::string& kind) {
   const std::string name = "<td>" + escape_markup(row.name) + "</td>";
   if (!has_golden) return "<tr>" + name + cell(row.actual, kind) + "</tr>\n";
@@ -122,7 +122,7 @@ std::string value_table(const std::string& title, const std::vector<PictureResul
 std::string value_tables(const PictureResult& result) {
   const bool has_golden = result.status == PictureStatus::failed;
   const std::string scene = result.scene ? value_table("Scene", *result.scene, has_golden, false) : std::string();
-  const std::string tables = scene + value_table("Made of", result.metadata, has_golden, false) +
+  const std::string tables = scene + value_table("Metadata", result.metadata, has_golden, false) +
                              value_table("Statistics", result.statistics, has_golden, true);
   return tables.empty() ? "" : "<div class=\"tables\">\n" + tables + "</div>\n";
 }
@@ -143,14 +143,14 @@ std::string diff_line(const DiffLine& line) {
 
 std::string text_changes(const PictureResult& result) {
   if (result.text.empty()) return "";
-  std::string lines = "<h3>What is written in it</h3>\n<pre class=\"diff\">";
+  std::string lines = "<h3>Text</h3>\n<pre class=\"diff\">";
   for (const DiffLine& line : result.text) lines += diff_line(line);
   return lines + "</pre>\n";
 }
 
 std::string id_pictures(const PictureResult& result) {
   if (result.golden_ids.empty()) return "";
-  return "<details><summary>What is drawn where, by ids: " + escape_markup(result.ids.reason) +
+  return "<details><summary>Ids of drawn objects: " + escape_markup(result.ids.reason) +
          "</summary>\n<div class=\"ids\">" + figure(result.golden_ids, "ids", "golden") +
          figure(result.actual_ids, "ids", "new") + "</div></details>\n";
 }

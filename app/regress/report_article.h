@@ -6,10 +6,10 @@
 
 namespace griffith::app {
 
-/// A command that a click copies, as HTML.
+/// Returns the HTML of a command that a click copies.
 std::string command_html(const std::string& command);
 
-/// What the report says of a picture that did not pass, as HTML. `number`: of the picture in the report.
+/// Returns the HTML about a picture that did not pass. `number`: of the picture in the report.
 std::string report_article(const PictureResult& result, int number);
 
 }  // namespace griffith::app

@@ -36,7 +36,7 @@ std::vector<std::string> render_arguments(const SuiteRun& run, const RenderJob& 
 }
 
 JobOutcome draw_job(const SuiteRun& run, const RenderJob& job, const std::function<bool()>& cancelled) {
-  constexpr double kPlenty = 1e9;  // drivers take many threads' time, and address space that they do not use
+  constexpr double kPlenty = 1e9;  // drivers use many threads' time, and address space that they never touch
   const auto start = std::chrono::steady_clock::now();
   const ProcessLimits limits = {.seconds = run.time_limit,
                                 .memory_bytes = std::numeric_limits<std::int64_t>::max(),
@@ -51,7 +51,7 @@ void read_record(const fs::path& path, RegressionPicture& picture) {
   std::vector<InputError> problems;
   const Json json = parse_json(read_file(path, kMaxBytes), path.string(), problems);
   if (!problems.empty() || !json.is_object())
-    throw InputError(path.string(), "is no record of a picture", "--accept makes it anew");
+    throw InputError(path.string(), "is not the record of a picture", "--accept writes a new one");
   for (const auto& [name, value] : json.items()) {
     if (name == "state_hash" && value.is_string()) {
       picture.state_hash = hash_from_text(value.get<std::string>());
@@ -66,7 +66,7 @@ void read_record(const fs::path& path, RegressionPicture& picture) {
   }
 }
 
-/// A golden picture that cannot be read is none.
+/// Compares with a golden picture; an unreadable one counts as missing.
 PictureResult compare_with(const fs::path& golden, const std::string& name, const RegressionPicture& actual) try {
   return compare_pictures(name, read_picture(golden), actual);
 } catch (const std::exception& error) {

@@ -23,7 +23,7 @@ bool is_golden(const fs::path& stem) {
   return fs::exists(stem.string() + ".png", error);
 }
 
-/// Folders in `folder`, sorted.
+/// Returns the folders in `folder`, sorted.
 std::vector<fs::path> folders_in(const fs::path& folder) {
   std::vector<fs::path> folders = files_in(folder);
   std::error_code error;
@@ -31,7 +31,7 @@ std::vector<fs::path> folders_in(const fs::path& folder) {
   return folders;
 }
 
-/// "wall", "wall_2", ...: the scene file's name, with a number where others have it.
+/// Returns a new name of a job: "wall", "wall_2", ...: the scene file's name, with a number if it is taken.
 std::string job_name(const fs::path& scene, std::set<std::string>& taken) {
   std::string stem = scene.stem().string();
   stem.erase(0, std::min(stem.find_first_not_of('.'), stem.size()));
@@ -48,14 +48,14 @@ Shard shard_from_text(const std::string& text) {
   char rest = 0;
   if (std::sscanf(text.c_str(), "%d/%d%c", &shard.index, &shard.count, &rest) != 2 || shard.index < 1 ||
       shard.index > shard.count)
-    throw InputError("--shard", "\"" + text + "\" is no part of a whole", "write INDEX/COUNT, from 1/3 to 3/3");
+    throw InputError("--shard", "\"" + text + "\" is not a shard", "write INDEX/COUNT, from 1/3 to 3/3");
   return shard;
 }
 
 std::vector<RenderJob> suite_jobs(const fs::path& suite, const Shard& shard) {
   std::error_code error;
   if (!fs::exists(suite / kSuiteFile, error))
-    throw InputError(suite.string(), "holds no suite.json",
+    throw InputError(suite.string(), "contains no suite.json",
                      "name the folder of a suite, or make one with --init SCENE...");
   const std::vector<RenderJob> all = read_render_jobs(suite / kSuiteFile);
   std::vector<RenderJob> jobs;
@@ -119,7 +119,7 @@ std::vector<std::string> unused_goldens(const fs::path& suite, const std::string
 void make_suite(const fs::path& suite, const std::vector<fs::path>& scenes) {
   std::error_code error;
   if (fs::exists(suite / kSuiteFile, error))
-    throw InputError((suite / kSuiteFile).string(), "is there already", "edit it, or name another folder");
+    throw InputError((suite / kSuiteFile).string(), "already exists", "edit it, or name another folder");
   check_folder(suite);
   std::vector<RenderJob> jobs;
   std::set<std::string> names;

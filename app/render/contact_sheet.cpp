@@ -12,13 +12,13 @@
 namespace griffith::app {
 namespace {
 
-constexpr int kMaxWidth = 320;  ///< of a cell's picture [pixels]
+constexpr int kMaxWidth = 320;  ///< width of a cell's picture [pixels]
 constexpr int kGap = 8, kCaptionHeight = 22;
-constexpr int kMaxSheet = 16384;  ///< [pixels], across or down
+constexpr int kMaxSheet = 16384;  ///< [pixels], in both directions
 constexpr render::Rgb kPaper = {0.13f, 0.14f, 0.16f};
 
 struct Grid {
-  int columns, rows, cell_width, cell_height;  ///< of a cell with its caption and a gap [pixels]
+  int columns, rows, cell_width, cell_height;  ///< size of a cell with its caption and a gap [pixels]
 
   int left(int index) const { return kGap + index % columns * cell_width; }
   int top(int index) const { return kGap + index / columns * cell_height; }
@@ -39,7 +39,7 @@ void paste(const render::Image& picture, int left, int top, render::Image& sheet
   }
 }
 
-/// The text, or as much of its end as fits.
+/// Returns the text, or as much of its end as fits.
 std::string fitted(const std::string& text, float width) {
   std::size_t from = 0;
   while (from < text.size() && ImGui::CalcTextSize(text.c_str() + from).x > width) ++from;
@@ -67,8 +67,8 @@ render::Image ContactSheet::image(const std::string& where) const {
   grid.columns = std::clamp(grid.columns, 1, std::max(count, 1));
   grid.rows = (count + grid.columns - 1) / grid.columns;
   if (std::max(grid.width(), grid.height()) > kMaxSheet)
-    throw InputError(where, "has no room for " + std::to_string(count) + " pictures",
-                     "take fewer frames, or smaller pictures");
+    throw InputError(where, "is too small for " + std::to_string(count) + " pictures",
+                     "use fewer frames, or smaller pictures");
   ImGuiContextOwner imgui(1);
   const render::Target target(grid.width(), grid.height());
   imgui.begin_frame(grid.width(), grid.height());

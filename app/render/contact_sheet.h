@@ -7,15 +7,15 @@
 
 namespace griffith::app {
 
-/// Many pictures in one, in rows, each with its caption below. Keeps them small as they come.
+/// Many pictures in one, in rows with captions. Scales them down as they arrive.
 class ContactSheet {
  public:
-  /// `columns` >= 1; 0: as many as make the sheet about as wide as high.
+  /// `columns` >= 1; 0: for a sheet that is about square.
   explicit ContactSheet(int columns = 0) : columns_(columns) {}
 
   void add(const render::Image& image, std::string caption);
-  /// Draws the sheet. Needs a current OpenGL context, for the captions. Throws InputError, naming `where`, for more
-  /// pictures than an image has room for.
+  /// Draws the sheet. Needs a current OpenGL context for the captions. Throws InputError, naming `where`, for more
+  /// pictures than fit into an image.
   render::Image image(const std::string& where) const;
 
  private:

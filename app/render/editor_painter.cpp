@@ -52,7 +52,7 @@ class EditorPainter : public Painter {
 
  private:
   render::Image image() {
-    // A picture waits for what its commands began to build.
+    // Wait until everything that the commands began to build is ready.
     for (int quiet = 0; quiet < kFramesToLayOut; quiet = editor_.state().work.empty() ? quiet + 1 : 0) {
       editor_.draw_picture(job_.samples);
       imgui_.begin_frame(job_.width, job_.height);

@@ -20,7 +20,7 @@ std::optional<int> whole_number(const std::string& text) {
   return value;
 }
 
-/// The numbers of "0:240:10"; none where it is not of that form.
+/// Parses the numbers of "0:240:10"; empty for another form.
 std::optional<std::vector<int>> colon_numbers(const std::string& item) {
   std::vector<int> numbers;
   std::istringstream parts(item + ":");
@@ -42,14 +42,14 @@ std::vector<int> frames_from_text(const std::string& text, const std::string& wh
     const auto numbers = colon_numbers(item);
     if (!numbers || (numbers->size() == 3 && numbers->back() == 0) ||
         (numbers->size() > 1 && (*numbers)[1] < numbers->front()))
-      throw InputError(where, "\"" + item + "\" names no time steps",
-                       "write a number, or FROM:TO:EVERY such as 0:240:10; several are joined by commas");
+      throw InputError(where, "\"" + item + "\" is not a list of time steps",
+                       "write a number or FROM:TO:STRIDE, such as 0:240:10; join several with commas");
     const int first = numbers->front(), last = numbers->size() > 1 ? (*numbers)[1] : first;
     const int every = numbers->size() > 2 ? numbers->back() : 1;
     for (int frame = first; frame <= last; frame += every) {
       frames.push_back(frame);
       if (frames.size() > kMaxCount)
-        throw InputError(where, "asks for more than 10,000,000 pictures", "take fewer, as by FROM:TO:EVERY");
+        throw InputError(where, "asks for more than 10,000,000 pictures", "use fewer, as with FROM:TO:STRIDE");
     }
   }
   std::ranges::sort(frames);

@@ -14,13 +14,13 @@ class Painter {
 
   virtual void step() = 0;
   virtual const World& world() const = 0;
-  /// A picture through that camera in that view, which the job has. Its name is left empty.
+  /// Draws a picture with a camera and view of the job. Its name is left empty.
   virtual RenderedPicture paint(const std::string& camera, const std::string& view) = 0;
 };
 
-/// Draws pictures alone, with their legends. Throws InputError for what the scene lacks.
+/// Returns a painter of pictures with legends. Throws InputError for a missing camera, view or node.
 std::unique_ptr<Painter> make_plain_painter(const RenderJob& job, const Scene& scene);
-/// Draws the editor, with its panels. As above.
+/// Returns a painter of the editor with its panels. Throws as above.
 std::unique_ptr<Painter> make_editor_painter(const RenderJob& job, const Scene& scene);
 
 }  // namespace griffith::app

@@ -19,18 +19,18 @@
 namespace griffith::app {
 namespace {
 
-/// The largest scale that letters are made for; beyond it they are stretched.
+/// largest scale for which fonts are rendered; beyond it they are magnified
 constexpr float kLargestFont = 6;
 
-/// Direction from what is looked at to the eye, before there is a picture.
+/// Returns the direction from the camera's target to the eye, before there is a picture.
 Vec3 towards_eye(const Scene& scene, const std::string& camera) {
   for (const Camera& known : scene.cameras)
     if (camera.empty() || known.name == camera) return known.position - known.target;
   return Vec3::UnitZ();
 }
 
-/// The picture without its background, from pictures before black and before white (A. R. Smith and J. F. Blinn 1996,
-/// "Blue Screen Matting", theorem 4): what of white does not come through is the opacity.
+/// Returns the picture without its background, from pictures on black and on white (A. R. Smith and J. F. Blinn 1996,
+/// "Blue Screen Matting", theorem 4): the difference of the two is the transparency.
 render::Image matted(const render::Image& on_black, const render::Image& on_white) {
   render::Image result = on_black;
   for (std::size_t pixel = 0; pixel < result.rgba.size(); pixel += 4) {
@@ -49,15 +49,15 @@ render::Image matted(const render::Image& on_black, const render::Image& on_whit
 }  // namespace
 
 struct PictureMaker::Impl {
-  /// A camera and a view, with what stays the same from picture to picture.
+  /// A camera and a view with their constant state.
   struct Viewpoint {
     ViewSettings view;
     SteadyRange range;
     render::Camera camera;
-    ui::LegendCorner corner = {};  ///< where the first picture leaves room, so that it does not hop about
+    ui::LegendCorner corner = {};  ///< corner that is free in the first picture, so that the legend does not move
   };
 
-  /// What is written over a picture.
+  /// Text over a picture.
   struct Writing {
     std::optional<ui::Legend> legend;
     std::vector<ui::PictureLabel> labels;
@@ -120,7 +120,7 @@ struct PictureMaker::Impl {
     return matted(on_black, image(drawn, viewpoint, writing));
   }
 
-  /// The last picture with the writing over it.
+  /// Returns the last picture with text over it.
   render::Image written_over(const Writing& writing) {
     imgui.begin_frame(job.width, job.height);
     ImDrawList* list = ImGui::GetBackgroundDrawList();
@@ -136,7 +136,7 @@ struct PictureMaker::Impl {
   RenderJob job;
   Scene scene;
   EmbeddedDisplay display;
-  float scale;  ///< of what is written
+  float scale;  ///< scale of text
   render::Renderer renderer;
   ImGuiContextOwner imgui;
   render::Target target;
@@ -170,7 +170,7 @@ ui::Selection selected_node(const RenderJob& job, const Frame& frame) {
   const auto nodes = static_cast<int>(frame.nodes.positions.size());
   if (*job.node >= nodes && frame.step >= job.frames.back())
     throw InputError("--node", "there is no node " + std::to_string(*job.node),
-                     "take one below " + std::to_string(nodes) + "; cracks make more");
+                     "use one below " + std::to_string(nodes) + "; cracks make more");
   if (*job.node >= nodes) return {};
   const NodeId node(*job.node);
   return ui::select(frame, frame.nodes.stars[node].front(), node);

@@ -9,17 +9,17 @@
 
 namespace griffith::app {
 
-/// Draws pictures of a world that somebody else steps, with their legends. Needs a current OpenGL context, the same for
-/// all calls.
+/// Draws pictures with legends of a world that the caller steps. Needs a current OpenGL context, the same for all
+/// calls.
 class PictureMaker {
  public:
-  /// `start`: the world before anything broke. Throws InputError for a camera or view that the scene lacks.
+  /// `start`: the world before any fracture. Throws InputError for a camera or view that the scene lacks.
   PictureMaker(const RenderJob& job, const Scene& scene, const World& start);
   ~PictureMaker();
 
-  /// To be called after each step, so that ranges of colors change smoothly and shards lie round the first crack.
+  /// Follows a step; call it after each, so that color ranges change smoothly and shards lie around the first crack.
   void follow(const World& world);
-  /// Returns a picture through one of the job's cameras in one of its views. Its name is left empty.
+  /// Returns a picture with a camera and view of the job. Its name is left empty.
   RenderedPicture paint(const World& world, const std::string& camera, const std::string& view);
 
  private:
@@ -27,10 +27,10 @@ class PictureMaker {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Returns the job's node, while there is one of that number. Throws InputError where the last frame has none.
+/// Returns the job's node, if it exists. Throws InputError if the last frame lacks it.
 ui::Selection selected_node(const RenderJob& job, const Frame& frame);
 
-/// Returns numbers of a world that pictures are recorded with.
+/// Returns the numbers of a world that are recorded with pictures.
 PictureRecord world_record(const World& world);
 
 }  // namespace griffith::app

@@ -20,7 +20,7 @@ fs::path with_suffix(const fs::path& path, const std::string& suffix) {
   return path.parent_path() / (path.stem().string() + suffix + path.extension().string());
 }
 
-/// "_front_utilization" for a job of several cameras and views: what its name has behind the job's.
+/// Returns the part of a name after the job's if there are several cameras and views: "_front_utilization".
 std::string viewpoint_suffix(const RenderJob& job, const PictureRecord& record) {
   RenderJob one_frame = job;
   one_frame.name = "x";
@@ -28,7 +28,7 @@ std::string viewpoint_suffix(const RenderJob& job, const PictureRecord& record) 
   return picture_name(one_frame, record.camera, record.view, 0, false).substr(1);
 }
 
-/// A row for each frame where it has several pictures.
+/// Returns one row for each frame if a frame has several pictures.
 int sheet_columns(const RenderJob& job) {
   constexpr std::size_t kMax = 8;
   const std::size_t count = job.cameras.size() * job.views.size();
@@ -46,13 +46,13 @@ PictureWriter::PictureWriter(PictureOutput output, const RenderJob& job, double 
 
 void PictureWriter::write(const RenderedPicture& picture) {
   if (!output_.folder.empty()) {
-    fs::create_directories(output_.folder);  // only now: a run that fails leaves no empty one
+    fs::create_directories(output_.folder);  // only now: a run that fails leaves no empty folder
     const fs::path stem = output_.folder / picture.name;
     save_picture(stem.string() + ".png", picture.image);
     if (output_.records) {
       replace_file(stem.string() + ".txt", picture.record.text);
       if (!picture.ids.ids.empty()) save_picture(stem.string() + ".ids.png", id_picture(picture.ids));
-      // Last: what has a record is all there.
+      // The record is written last, so that its presence means that the rest is complete.
       replace_file(stem.string() + ".json", record_json(picture.record, output_.renderer));
     }
   }

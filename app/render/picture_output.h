@@ -11,24 +11,24 @@
 
 namespace griffith::app {
 
-/// Where the pictures of a run go. What is empty is not written.
+/// Outputs of a run of pictures; empty ones are not written.
 struct PictureOutput {
-  std::filesystem::path folder;  ///< of PNG files, made if need be; named as the pictures are
-  bool records = false;          ///< beside each PNG file its record (.json), text (.txt) and ids (.ids.png)
-  std::string renderer;          ///< what draws the pictures, for the records
+  std::filesystem::path folder;  ///< folder of PNG files, made if necessary, with the names of the pictures
+  bool records = false;          ///< writes each picture's record (.json), text (.txt) and ids (.ids.png) too
+  std::string renderer;          ///< name of the renderer, for the records
   std::filesystem::path contact_sheet;
-  std::filesystem::path video;   ///< with cameras or views in its name where there are several
-  double frames_per_second = 0;  ///< of the video; 0: as fast as time passes
+  std::filesystem::path video;   ///< file name; several videos have cameras or views in their names
+  double frames_per_second = 0;  ///< rate of the video; 0: real time
 };
 
-/// Writes pictures as they come.
+/// Writes pictures as they arrive.
 class PictureWriter {
  public:
-  /// `job`: whose pictures come. `time_step` [s].
+  /// `job`: job of the pictures. `time_step` [s].
   PictureWriter(PictureOutput output, const RenderJob& job, double time_step);
 
   void write(const RenderedPicture& picture);
-  /// Ends videos and draws the contact sheet. Needs the OpenGL context.
+  /// Finishes videos and draws the contact sheet. Needs the OpenGL context.
   void finish();
 
  private:
@@ -41,10 +41,10 @@ class PictureWriter {
   std::map<std::filesystem::path, VideoWriter> videos_;
 };
 
-/// Frames a second with which a video of these time steps runs as fast as time passes, from 1 to 120.
+/// Returns the frame rate at which a video of these time steps runs in real time, 1 to 120.
 double frames_per_second(const RenderJob& job, double time_step);
 
-/// The record as JSON, the state hash in hexadecimal. `renderer`: what drew the picture, as OpenGL calls it.
+/// Returns the record as JSON, with the state hash in hexadecimal. `renderer`: name of the renderer from OpenGL.
 std::string record_json(const PictureRecord& record, const std::string& renderer);
 
 }  // namespace griffith::app

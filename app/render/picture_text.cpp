@@ -14,7 +14,7 @@ std::string number(const char* format, double value) {
 
 std::string pixels(float value) { return " " + std::to_string(std::lround(value)); }
 
-/// One line of it, whatever the widget shows.
+/// Joins the lines of a widget's text.
 std::string on_one_line(const std::string& text) {
   std::string line;
   for (const char c : text) line += c == '\n' ? std::string("\\n") : std::string(1, c);

@@ -26,7 +26,7 @@ void read_names(const Place& place, std::vector<std::string>& names) {
     read(place.child(std::to_string(i), place.json[i]), names[i], Text{.minimum_length = 0});
 }
 
-/// Whether a picture may be of what a command does: none that reads or writes files, or leaves.
+/// True if a picture may show the result of a command: not one that reads or writes files, or quits.
 bool is_for_pictures(ui::CommandId id) {
   using enum ui::CommandId;
   constexpr std::array kOthers = {open,           save,        recover,    discard_copy, leave_copy, add_surface,
@@ -42,7 +42,7 @@ void read_commands(const Place& place, std::vector<std::string>& commands) {
   for (std::size_t i = 0; i < commands.size(); ++i)
     if (std::ranges::find(known, commands[i]) == known.end())
       place.child(std::to_string(i), place.json[i])
-          .report("is no command that pictures can be of: \"" + commands[i] + "\"", suggestion(commands[i], known));
+          .report("is not a command for pictures: \"" + commands[i] + "\"", suggestion(commands[i], known));
 }
 
 void read_frames(const Place& place, std::vector<int>& frames) {
@@ -103,43 +103,44 @@ void read_job(const Place& place, RenderJob& job) {
   for (const auto& [name, value] : place.json.items()) {
     const Place field = place.child(name, value);
     if (std::ranges::find(kFields, name) == kFields.end()) {
-      field.report("is no known field", suggestion(name, kFields));
+      field.report("is not a known field", suggestion(name, kFields));
     } else {
       read_field(field, name, job);
     }
   }
 }
 
-/// Of the name of a file: what has a meaning in shells, in pages or for a terminal.
+/// True for characters of file names that are special in shells, pages or terminals.
 bool is_awkward(unsigned char c) { return c < ' ' || c == 0x7F || c == '"' || c == '\'' || c == '`' || c == '\\'; }
 
-/// What a job that reads well may still lack.
+/// Throws InputError for what a well-formed job may still lack.
 void check_job(const Place& place, const RenderJob& job, std::set<std::string>& names) {
-  if (job.scene.empty()) place.report("lacks \"scene\"", "add it: the scene file, from this file's folder on");
-  if (job.name.empty()) place.report("lacks \"name\"", "add it: pictures are named by it");
+  if (job.scene.empty()) place.report("lacks \"scene\"", "add it: the scene file, relative to this file's folder");
+  if (job.name.empty()) place.report("lacks \"name\"", "add it: it names the pictures");
   if (job.name.find('/') != std::string::npos || job.name.starts_with("."))
-    place.report("has the name \"" + job.name + "\", which files cannot have", "leave out slashes and a leading dot");
+    place.report("has the name \"" + job.name + "\", which file names cannot contain",
+                 "leave out slashes and a leading dot");
   if (std::ranges::any_of(job.name, is_awkward))
-    place.report("has the name \"" + job.name + "\", which shells and pages cannot show as it is",
+    place.report("has the name \"" + job.name + "\", which shells and pages cannot show",
                  "leave out quotes, backslashes and control characters");
   if (job.name.ends_with(".ids"))
-    place.report("has the name \"" + job.name + "\", which stands for the ids of pictures", "leave out .ids");
+    place.report("has the name \"" + job.name + "\", which is reserved for the ids of pictures", "leave out .ids");
   if (!job.name.empty() && !names.insert(job.name).second)
-    place.report("has the name \"" + job.name + "\", as an earlier one has", "give every job a name of its own");
+    place.report("has the name \"" + job.name + "\" of an earlier job", "give every job a unique name");
   if (job.interface && job.transparent)
-    place.report("has \"transparent\" with \"ui\"", "panels have no background to leave out: remove one of them");
+    place.report("has \"transparent\" with \"ui\"", "panels have no background; remove one of them");
   if (!job.interface && (job.open_sections || !job.commands.empty()))
     place.report("has \"open_sections\" or \"commands\" without \"ui\"", "add \"ui\": true");
 }
 
-/// No picture may take the place of another one.
+/// Throws InputError if a picture would replace another one.
 void check_pictures(const Place& place, const RenderJob& job, std::set<std::string>& pictures) {
   constexpr std::size_t kMaxPictures = 100'000;
   if (job.frames.size() * job.cameras.size() * job.views.size() + pictures.size() > kMaxPictures)
-    return place.report("makes more than 100,000 pictures", "take fewer frames, cameras or views");
+    return place.report("makes more than 100,000 pictures", "use fewer frames, cameras or views");
   for (const std::string& name : picture_names(job))
     if (!pictures.insert(name).second)
-      return place.report("has a picture \"" + name + "\", as is there already", "rename the job, view or camera");
+      return place.report("has a picture \"" + name + "\" that already exists", "rename the job, view or camera");
 }
 
 std::vector<RenderJob> jobs_of(const Place& root) {
@@ -153,7 +154,7 @@ std::vector<RenderJob> jobs_of(const Place& root) {
   for (const auto& [name, value] : root.json.items()) {
     if (name == "defaults") read_job(root.child(name, value), defaults);
     if (name != "defaults" && name != "pictures")
-      root.child(name, value).report("is no known field", "the fields are \"defaults\" and \"pictures\"");
+      root.child(name, value).report("is not a known field", "the fields are \"defaults\" and \"pictures\"");
   }
   const Place list = root.child("pictures", root.json["pictures"]);
   std::set<std::string> names, pictures;
@@ -176,7 +177,7 @@ std::vector<RenderJob> read_render_jobs(const std::filesystem::path& file) {
   std::vector<RenderJob> jobs;
   if (document.problems.empty()) jobs = jobs_of({document, json, ""});
   if (!document.problems.empty()) throw document.problems.front();
-  if (jobs.empty()) throw InputError(file.string(), "asks for no pictures", "add a job to \"pictures\"");
+  if (jobs.empty()) throw InputError(file.string(), "contains no pictures", "add a job to \"pictures\"");
   return jobs;
 }
 

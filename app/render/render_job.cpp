@@ -13,7 +13,7 @@
 namespace griffith::app {
 namespace {
 
-/// "_front" for "front"; without characters that file names could not have.
+/// Returns a suffix for names: "_front" for "front"; replaces characters that file names cannot contain.
 std::string name_part(std::string text) {
   if (text.empty()) return "";
   std::ranges::replace_if(

@@ -13,52 +13,53 @@
 
 namespace griffith::app {
 
-/// Pictures of one run of a scene, without a window: each of some time steps through each camera in each view.
+/// Pictures of one run of a scene: time steps times cameras times views.
 struct RenderJob {
-  std::string name;  ///< in the names of pictures; empty: the scene file's
+  std::string name;  ///< prefix of the names of pictures; empty: the scene file's
   std::filesystem::path scene;
   std::vector<int> frames = {0};  ///< time steps before the pictures, ascending
-  // What stands for "as the scene says" is empty.
+  // Empty: from the scene.
   std::vector<std::string> views = {""}, cameras = {""};
   int width = 1280, height = 720;         ///< [pixels]
-  std::optional<int> samples;             ///< per pixel; absent: as the picture's quality has
-  std::optional<PictureQuality> quality;  ///< absent: as the scene's view has
-  std::optional<int> node;                ///< whose forces and plane are shown; the most loaded one if absent
-  bool interface = false;                 ///< draw the editor's panels too
-  bool open_sections = false;             ///< of the panels: all that can be folded
-  std::vector<std::string> commands;      ///< names of the editor's commands to carry out before the first picture
+  std::optional<int> samples;             ///< per pixel; absent: by quality
+  std::optional<PictureQuality> quality;  ///< absent: from the scene's view
+  std::optional<int> node;                ///< node whose forces and plane are shown; absent: the most loaded one
+  bool interface = false;                 ///< draws the editor's panels too
+  bool open_sections = false;             ///< unfolds all sections of the panels
+  std::vector<std::string> commands;      ///< commands of the editor before the first picture
   bool legend = true;
-  bool transparent = false;  ///< neither sky nor ground; what shows nothing has alpha 0
+  bool transparent = false;  ///< neither sky nor ground; empty pixels have alpha 0
 };
 
-/// What a picture shows and how the world was, as numbers and text.
+/// Numbers and texts about a picture and the state of its world.
 struct PictureRecord {
   int frame = 0;
-  std::string view, camera;  ///< empty: the scene's
+  std::string view, camera;  ///< empty: from the scene
   std::uint64_t state_hash = 0;
   std::vector<std::pair<std::string, double>> statistics;  ///< pieces, cracks, energies
-  std::string scene;                                       ///< as full_scene_text() has it
-  std::string text;  ///< a line for each thing written in the picture: legend and labels, or widgets and their values
+  std::string scene;                                       ///< from full_scene_text()
+  std::string text;  ///< one line for each text in the picture: legend and labels, or widgets and their values
 };
 
-/// A picture and what explains it.
+/// A picture with its record.
 struct RenderedPicture {
-  std::string name;  ///< without folder and ending: "wall_front_utilization_0040"
+  std::string name;  ///< without folder and extension: "wall_front_utilization_0040"
   render::Image image;
-  render::IdImage ids;  ///< of what is drawn at each pixel; empty with panels
+  render::IdImage ids;  ///< object at each pixel; empty with panels
   PictureRecord record;
 };
 
-/// Name of a picture of a job; camera, view and frame are part of it where the job has several, or `always_numbered`.
+/// Returns the name of a picture of a job. Camera, view and frame are parts of it if the job has several, or with
+/// `always_numbered`.
 std::string picture_name(const RenderJob& job, const std::string& camera, const std::string& view, int frame,
                          bool always_numbered);
 
-/// Names of all pictures of a job, in the order in which they are drawn; a single time step is no part of them.
+/// Returns the names of all pictures of a job in drawing order; a single time step is no part of them.
 std::vector<std::string> picture_names(const RenderJob& job);
 
-/// Makes the run and hands each picture over: frame by frame, for each camera each view. Needs a current OpenGL
-/// context. `always_numbered`: as above. Throws InputError for what the scene lacks: a camera, a view, a node. Returns
-/// the explanation of job.node in the last frame; empty without one.
+/// Makes the run and passes each picture to the callback: for each frame and camera every view. Needs a current OpenGL
+/// context. `always_numbered`: as above. Throws InputError if the scene lacks a camera, view or node. Returns the
+/// explanation of job.node in the last frame; empty without one.
 std::string render_job(const RenderJob& job, const Scene& scene, bool always_numbered,
                        const std::function<void(RenderedPicture)>& take);
 

@@ -7,7 +7,7 @@ namespace {
 
 constexpr int kStepsAfterCrack = 12, kMostSteps = 120;
 
-/// What moves is shown in natural colours: numbers, small as most of them are by then, would be dark.
+/// Uses natural colors for scenes that move: small values would give dark colors.
 Scene as_seen(Scene scene) {
   if (scene.analysis == Analysis::dynamic) {
     scene.view.quantity = "material";
@@ -16,7 +16,7 @@ Scene as_seen(Scene scene) {
   return scene;
 }
 
-/// Steps until there is something to be seen.
+/// Steps until something can be seen.
 void step_to_telling(Painter& painter, Analysis analysis) {
   if (analysis == Analysis::equilibrium) return painter.step();
   for (int steps = 0, after_crack = 0; steps < kMostSteps && after_crack < kStepsAfterCrack; ++steps) {

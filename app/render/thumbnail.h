@@ -8,10 +8,9 @@
 
 namespace griffith::app {
 
-/// A small picture of what happens in a scene, through its first camera, in natural colours or, of a static scene, its
-/// view: some steps after the first crack,
-/// or when a while has passed without one; of a static scene the first equilibrium. `file`: of the scene, for errors.
-/// Needs a current OpenGL context. Throws InputError when its world cannot be built.
+/// Returns a small picture of a scene through its first camera. A dynamic scene is shown in natural colors some steps
+/// after its first crack, or after a fixed time without one; a static scene in its own view at the first equilibrium.
+/// `file`: of the scene, for errors. Needs a current OpenGL context. Throws InputError if the world cannot be built.
 render::Image thumbnail(const Scene& scene, const std::filesystem::path& file);
 
 }  // namespace griffith::app

@@ -6,7 +6,7 @@
 
 namespace griffith::app {
 
-/// A vector as three numbers, which JSON shows as an array.
+/// Returns a vector as three numbers, which become a JSON array.
 inline std::array<double, 3> components(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 }  // namespace griffith::app

@@ -20,7 +20,8 @@ constexpr double kPi = 3.14159265358979323846;
 struct Estimate {
   const std::filesystem::path& folder;
   const Monitor& monitor;
-  std::vector<std::pair<const SurfaceShape*, double>> surfaces = {};  ///< already counted; to read one takes long
+  std::vector<std::pair<const SurfaceShape*, double>> surfaces =
+      {};  ///< surfaces counted so far; reading one takes long
 
   static double in_cells(double volume, const Vec3& cell, BoxPattern pattern) {
     return tets_per_cell(pattern) * std::max(volume / cell.prod(), 1.0);
@@ -40,7 +41,7 @@ struct Estimate {
     return in_cells(4 * kPi / 3 * std::pow(sphere.radius, 3), Vec3::Constant(sphere.element_size), sphere.pattern);
   }
   double operator()(const PlateWithHoleShape& plate) const {
-    constexpr double kTowardsHole = 3;  // so many times the cells, which shrink towards it
+    constexpr double kTowardsHole = 3;  // factor on the number of cells, which shrink toward the hole
     return kTowardsHole * in_cells(plate.size.prod(), swept(plate.element_size), plate.pattern);
   }
   double operator()(const NotchedBeamShape& beam) const {
@@ -55,17 +56,17 @@ struct Estimate {
   }
   double in_surface(const SurfaceShape& shape) const try {
     const TriangleSurface surface = read_surface(file_path(folder, shape.path), shape.scale, monitor);
-    constexpr double kTetsPerCube = 8.5;  // of regular tets, in a cube as wide as their edge
-    // The box round it is right where holes leave the volume without a meaning.
+    constexpr double kTetsPerCube = 8.5;  // regular tets in a cube as wide as their edge
+    // The bounding box is the better estimate if holes make the volume meaningless.
     const double box = bounds(surface).volume(), enclosed = std::abs(enclosed_volume(surface));
     const double volume = enclosed > 0.01 * box && enclosed <= box ? enclosed : box;
     return kTetsPerCube * volume / std::pow(*shape.meshing.element_size * shape.meshing.grading, 3);
   } catch (const InputError&) {
-    return 0;  // whoever builds the body tells it, with its place in the scene
+    return 0;  // building the body reports it, with its place in the scene
   }
 };
 
-/// The volume of a shape [m³]; 0 for files.
+/// Volume of a shape [m³]; 0 for files.
 struct Volume {
   double operator()(const BoxShape& box) const { return box.size.prod(); }
   double operator()(const NotchedBeamShape& beam) const { return beam.size.prod(); }
@@ -77,7 +78,7 @@ struct Volume {
   double operator()(const SurfaceShape&) const { return 0; }
 };
 
-/// The volume of a splinter of the pattern [m³]; infinite for radial ones, which are few, and for files.
+/// Returns the volume of a splinter of the pattern [m³]; infinite for radial ones, which are few, and for files.
 double splinter_volume(const SplinterPattern& pattern) {
   if (const auto* voronoi = std::get_if<VoronoiSplinters>(&pattern))
     return std::pow(voronoi->size, 3) * voronoi->elongation;

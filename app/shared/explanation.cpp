@@ -18,7 +18,7 @@ std::string load_line(const NodeReport& report, const Material& material) {
 
 std::string element_lines(const NodeReport& report) {
   const char* unit = ui::contribution_unit(report);
-  std::string text = "  element    side    adds to the load    tensile force    compressive force\n";
+  std::string text = "  element    side    contribution       tensile force    compressive force\n";
   for (const ElementContribution& element : report.elements) {
     char line[160];
     std::snprintf(line, sizeof line, "  %7d    %-5s   %16s %16s %20s\n", element.tet.index(),
@@ -26,8 +26,8 @@ std::string element_lines(const NodeReport& report) {
                   newtons(element.force.tensile.norm()).c_str(), newtons(element.force.compressive.norm()).c_str());
     text += line;
   }
-  if (report.balance != 0) text += "  balance of all forces " + newtons(report.balance) + "\n";
-  return text + "  together " + ui::format_quantity(report.sum(), unit) + "\n";
+  if (report.balance != 0) text += "  unbalanced force " + newtons(report.balance) + "\n";
+  return text + "  total " + ui::format_quantity(report.sum(), unit) + "\n";
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 
 namespace griffith::app {
 
-/// Several lines that say why a node did or did not break: the verdict, its state and plane, its elements ranked by
-/// what they add to the load. `fracture`: whether the scene lets bodies break.
+/// Explains in several lines why a node broke or holds: verdict, state and plane, and the elements ranked by their
+/// share of the load. `fracture`: the scene lets bodies break.
 std::string explanation(const Frame& frame, NodeId node, bool fracture);
 
 }  // namespace griffith::app

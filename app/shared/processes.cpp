@@ -20,7 +20,7 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
-/// The last lines that a program wrote, as one of at most 300 bytes.
+/// Returns the last lines of a program's output, joined and limited to 300 bytes.
 std::string last_words(std::string output) {
   constexpr std::size_t kLength = 300;
   std::ranges::replace(output, '\n', ' ');
@@ -52,7 +52,7 @@ std::string failure_text(const ProcessOutcome& outcome, const ProcessLimits& lim
     case ProcessOutcome::End::killed_by_signal:
       return "ended by signal " + std::to_string(outcome.code) + " (" + strsignal(outcome.code) + ")";
     case ProcessOutcome::End::not_found:
-      return "the program cannot be started, or not in so little memory";
+      return "the program cannot be started, perhaps for lack of memory";
     default:
       break;
   }
@@ -65,7 +65,7 @@ void work_side_by_side(std::size_t count, int jobs, const std::function<void(std
   std::atomic<std::size_t> next = 0;
   std::mutex mutex;
   std::exception_ptr failure;  // under `mutex`
-  const auto go_on = [&] {
+  const auto work_loop = [&] {
     try {
       for (std::size_t i = next++; i < count && !cancelled(); i = next++) work(i);
     } catch (...) {
@@ -76,7 +76,7 @@ void work_side_by_side(std::size_t count, int jobs, const std::function<void(std
   };
   {
     std::vector<std::jthread> threads;
-    for (std::size_t i = 0; i < std::min(count, static_cast<std::size_t>(jobs)); ++i) threads.emplace_back(go_on);
+    for (std::size_t i = 0; i < std::min(count, static_cast<std::size_t>(jobs)); ++i) threads.emplace_back(work_loop);
   }
   if (failure) std::rethrow_exception(failure);
 }

@@ -10,18 +10,18 @@
 
 namespace griffith::app {
 
-/// A shell's command of these arguments, quoted where need be.
+/// Returns a shell command of these arguments, quoted if necessary.
 std::string shell_command(const std::vector<std::string>& words);
 
-/// Why a process failed, in a line: what it wrote last, the signal, or the time that it was given.
+/// Describes in a line why a process failed: its last output, the signal, or the time limit.
 std::string failure_text(const ProcessOutcome& outcome, const ProcessLimits& limits);
 
-/// Calls work(i) once for each i below `count`, `jobs` at a time, beginning with low numbers, until one throws or
-/// `cancelled` says so. Throws what the first of them threw.
+/// Calls work(i) once for each i below `count`, `jobs` at a time in ascending order, until one throws or `cancelled`
+/// returns true. Rethrows the first exception.
 void work_side_by_side(std::size_t count, int jobs, const std::function<void(std::size_t)>& work,
                        const std::function<bool()>& cancelled);
 
-/// The program that this process runs.
+/// Returns the path of the running program.
 std::filesystem::path this_program();
 
 }  // namespace griffith::app

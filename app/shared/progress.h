@@ -6,7 +6,7 @@
 
 namespace griffith::app {
 
-/// A line on the terminal that says how far long work is; silent when stderr is not a terminal.
+/// A progress line on the terminal; silent if stderr is not a terminal.
 class Progress {
  public:
   /// `label`: "Simulating". `total` >= 1 units of work.
@@ -27,7 +27,7 @@ class Progress {
   Clock::time_point start_, last_;
 };
 
-/// A line on the terminal that names the stage of work whose length is unknown; silent when stderr is not a terminal.
+/// A line on the terminal with the stage of work of unknown length; silent if stderr is not a terminal.
 class StageProgress {
  public:
   StageProgress();
@@ -37,7 +37,7 @@ class StageProgress {
   StageProgress& operator=(const StageProgress&) = delete;
 
   void enter(std::string_view stage);
-  /// Prints a line of the program's own that stays, also where stderr is no terminal.
+  /// Prints a permanent line, even if stderr is no terminal.
   void note(const std::string& line);
 
  private:

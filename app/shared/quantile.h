@@ -7,8 +7,8 @@
 
 namespace griffith::app {
 
-/// What lies at `fraction` (0..1) of the sorted values, which are numbers, between neighbours in proportion; 0 without
-/// any. Leaves them in another order.
+/// Returns the quantile at `fraction` (0..1) of the values, which must be numbers, interpolated between neighbors; 0
+/// without any. Changes their order.
 template <class Number>
 Number quantile_of(std::vector<Number>& values, double fraction) {
   if (values.empty()) return 0;
@@ -21,14 +21,14 @@ Number quantile_of(std::vector<Number>& values, double fraction) {
   return *below == above ? above : (1 - weight) * *below + weight * above;
 }
 
-/// The same; what is not a number does not count.
+/// Returns the quantile of the values that are numbers.
 template <class Number>
 Number quantile(std::vector<Number> values, double fraction) {
   std::erase_if(values, [](Number value) { return std::isnan(value); });
   return quantile_of(values, fraction);
 }
 
-/// Leaves the finite values.
+/// Returns the finite values.
 template <class Number>
 std::vector<Number> finite(std::vector<Number> values) {
   std::erase_if(values, [](Number value) { return !std::isfinite(value); });

@@ -14,7 +14,7 @@ bool looks_like_scene(const fs::path& path) {
   return path.extension() == ".json" && path.stem().extension() != ".schema";
 }
 
-/// Those that come with the program.
+/// Returns the scenes shipped with the program.
 std::vector<fs::path> samples() {
   std::vector<fs::path> files = scenes_in("scenes");
   std::error_code error;

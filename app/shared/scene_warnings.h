@@ -7,8 +7,8 @@
 
 namespace griffith::app {
 
-/// What the user should know about a scene although it runs, by JSON pointers: what building its world found, and what
-/// starts inside something else. `world`: of the scene, before its first step.
+/// Returns warnings about a valid scene, by JSON pointers: those from building its world, and initial overlaps.
+/// `world`: of the scene, before its first step.
 std::vector<InputError> scene_warnings(const Scene& scene, const World& world);
 
 }  // namespace griffith::app

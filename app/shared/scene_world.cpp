@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kManyTets = 4e5, kManySplinters = 5e4;
 
-/// What building so many tetrahedra and splinters takes, on one core of a usual machine; empty where they are few.
+/// Describes the cost of building so many tetrahedra and splinters on one core of a usual machine; empty if they are
+/// few.
 std::string size_note(double tets, double splinters) {
   constexpr double kBytesPerTet = 1e3, kBytesPerSplinter = 16e3, kSecondsPerTet = 4e-6, kSecondsPerSplinter = 70e-6;
   if (tets < kManyTets && splinters < kManySplinters) return "";
@@ -19,8 +20,8 @@ std::string size_note(double tets, double splinters) {
   const double seconds = tets * kSecondsPerTet + splinters * kSecondsPerSplinter;
   char text[240];
   std::snprintf(text, sizeof text,
-                "about %.0f thousand tetrahedra and %.0f thousand splinters: building them takes some %.1f GB and %.0f "
-                "s (Ctrl+C ends it; larger elements take less)",
+                "about %.0f thousand tetrahedra and %.0f thousand splinters: building them takes about %.1f GB and "
+                "%.0f s (Ctrl+C cancels; larger elements need less)",
                 tets / 1e3, splinters / 1e3, bytes / 1e9, std::ceil(seconds));
   return text;
 }

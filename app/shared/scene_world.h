@@ -7,12 +7,12 @@
 
 namespace griffith::app {
 
-/// The error with the scene's file before its place, where that is a JSON pointer alone: a world knows no file.
+/// Returns the error with the scene's file before its place if that is a JSON pointer alone: a world knows no file.
 InputError in_file(const std::filesystem::path& scene_file, const InputError& error);
 
-/// The world of a scene that was read from `scene_file` (empty: from none). Errors name the file.
+/// Builds the world of a scene that was read from `scene_file` (empty: from none). Errors name the file.
 World make_world(const Scene& scene, const std::filesystem::path& scene_file, const Monitor& monitor);
-/// As above; long work shows on the terminal.
+/// As above, with progress on the terminal.
 World make_world(const Scene& scene, const std::filesystem::path& scene_file);
 
 }  // namespace griffith::app

@@ -17,9 +17,9 @@ namespace fs = std::filesystem;
 
 constexpr char kFolder[] = "thumbnails", kSuffix[] = ".jpg";
 constexpr int kQuality = 85;
-constexpr std::int64_t kMostBytes = 1 << 20;
+constexpr std::int64_t kMaxBytes = 1 << 20;
 
-/// Whether a file is named as the thumbnail of that scene, in whatever state.
+/// True if a file is named as the thumbnail of any version of that scene.
 bool is_thumbnail_of(const fs::path& scene, const fs::path& file) {
   const std::string hash = file.stem().extension().string();
   return file.extension() == kSuffix && file.stem().stem() == scene.stem() && !hash.empty() &&
@@ -36,7 +36,7 @@ fs::path shipped_thumbnail_file(const fs::path& scene) {
 std::optional<render::Image> shipped_thumbnail(const fs::path& scene) try {
   const fs::path file = shipped_thumbnail_file(scene);
   if (!is_taken(file)) return std::nullopt;
-  return render::decode_image(read_file(file, kMostBytes), kThumbnailWidth, kThumbnailHeight);
+  return render::decode_image(read_file(file, kMaxBytes), kThumbnailWidth, kThumbnailHeight);
 } catch (const InputError&) {
   return std::nullopt;
 } catch (const render::RenderError&) {
@@ -45,7 +45,7 @@ std::optional<render::Image> shipped_thumbnail(const fs::path& scene) try {
 
 void ship_thumbnail(const fs::path& scene, const render::Image& picture) {
   const fs::path file = shipped_thumbnail_file(scene);
-  std::error_code error;  // where the folder cannot be made, writing tells
+  std::error_code error;  // if the folder cannot be made, writing reports it
   fs::create_directories(file.parent_path(), error);
   replace_file(file, render::encode_jpeg(picture, kQuality));
   for (const fs::path& other : files_in(file.parent_path()))

@@ -21,13 +21,13 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
-/// What a run of `simulate` told, and what was seen of it from without.
+/// Output of a run of `simulate` and its resource usage.
 struct TimedRun {
   Json statistics;
   double seconds = 0;
 };
 
-/// Makes a run. Nothing where it was cancelled.
+/// Makes a run. Empty if it was cancelled.
 std::optional<TimedRun> timed_run(const RunRequest& request, int threads, const fs::path& folder,
                                   const std::function<bool()>& cancelled) {
   const fs::path file = folder / "stats.json";
@@ -81,10 +81,10 @@ void expect_same_state(const BenchResult& result, const std::vector<BenchResult>
     if (other.scene == result.scene && other.state_hash != result.state_hash)
       throw std::runtime_error(result.scene.string() + ": ends in state " + other.state_hash + " with " +
                                std::to_string(other.threads) + " threads, but in " + result.state_hash + " with " +
-                               std::to_string(result.threads) + ". The same bits are promised: please report this");
+                               std::to_string(result.threads) + ". Results must not depend on it: please report this");
 }
 
-/// The runs to be made of each scene; a file that cannot be read is told before any.
+/// Returns the runs of each scene. An unreadable file is reported before any run.
 std::vector<RunRequest> requests_of(const BenchDefinition& bench) {
   std::vector<RunRequest> requests;
   for (const fs::path& scene : bench.scenes) {

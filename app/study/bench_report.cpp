@@ -64,8 +64,8 @@ std::string bench_table(const std::vector<BenchResult>& results) {
   std::vector<std::vector<std::string>> lines = {heading(results[0])};
   for (const BenchResult& result : results) lines.push_back(row(result));
   return text_table(lines) +
-         "Milliseconds a step: of whole steps the median, that of which 99 % are below and the longest; of the phases "
-         "and of the processor the mean.\n";
+         "Milliseconds per step: median, 99th percentile and maximum of whole steps; mean of phases and processor "
+         "time.\n";
 }
 
 std::string bench_json(const BenchDefinition& bench, const std::vector<BenchResult>& results) {

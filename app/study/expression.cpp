@@ -24,7 +24,7 @@ constexpr std::array kOperators = {Operator{"<=", Relation::less_equal}, Operato
 
 constexpr std::string_view kNameCharacters = "abcdefghijklmnopqrstuvwxyz0123456789_.";
 
-/// Reads comparisons from left to right.
+/// Parses comparisons from left to right.
 class ExpressionReader {
  public:
   ExpressionReader(std::string_view text, const std::string& where) : text_(text), rest_(text), where_(where) {}
@@ -51,7 +51,7 @@ class ExpressionReader {
     if (!take(":")) refuse("a colon");
     comparison.high = number();
     if (comparison.high < comparison.low)
-      throw InputError(where_, "\"" + std::string(text_) + "\" has a range that goes down",
+      throw InputError(where_, "\"" + std::string(text_) + "\" has a descending range",
                        "write the smaller number first");
     return comparison;
   }
@@ -91,7 +91,7 @@ class ExpressionReader {
   const std::string& where_;
 };
 
-/// The length of the settings that `text` begins with, up to their colon; 0 where it has none.
+/// Returns the length of the settings at the start of `text`, up to their colon; 0 if it has none.
 std::size_t settings_length(const std::string& text) {
   const std::size_t equals = text.find('='), colon = split_outside_brackets(text, ':').front().size();
   if (equals == std::string::npos || colon == text.size() || equals > colon) return 0;

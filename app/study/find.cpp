@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr int kDoublings = 10;
 constexpr char kParameter[] = "--parameter";
 
-/// Whether the scene can be read with this value.
+/// True if the scene can be read with this value.
 bool is_allowed(const Find& find, double value) try {
   std::vector<SceneSetting> settings = find.settings;
   settings.push_back({find.pointer, number_text(value)});
@@ -29,16 +29,16 @@ bool is_allowed(const Find& find, double value) try {
   return false;
 }
 
-/// The number that the scene has there now. Throws InputError for what is no number.
+/// Returns the scene's number in that field. Throws InputError if it is no number.
 double present_value(const Find& find) {
   const std::string text = scene_value(find.definition.scene, find.pointer, find.settings);
   const std::optional<double> number = number_in(text);
   if (!number)
-    throw InputError(kParameter, find.pointer + " is " + text + ", which is no number", "name a number's field");
+    throw InputError(kParameter, find.pointer + " is " + text + ", which is not a number", "name a numeric field");
   return *number;
 }
 
-/// Whether the field takes whole numbers alone: both ends are, and what lies beside them within is refused.
+/// True if the field accepts only integers: both ends are integers and a value between is rejected.
 bool takes_whole_numbers(const Find& find, double low, double high) {
   const bool ends = std::floor(low) == low && std::floor(high) == high;
   return ends && !is_allowed(find, low + 0.5) && !is_allowed(find, high - 0.5);
@@ -46,11 +46,11 @@ bool takes_whole_numbers(const Find& find, double low, double high) {
 
 double listed_number(const std::string& text) {
   const std::optional<double> number = number_in(text);
-  if (!number) throw InputError(kParameter, text + " is no number", "give a range, as POINTER=1:10, or numbers");
+  if (!number) throw InputError(kParameter, text + " is not a number", "give a range, as POINTER=1:10, or numbers");
   return *number;
 }
 
-/// The first values over the range; in whole numbers each once.
+/// Returns the initial values over the range, without duplicates if they are integers.
 std::vector<double> spread(const FlipSearch& search, const ValueRange& range, int points) {
   std::vector<double> values;
   for (int i = 0; i < points; ++i) {
@@ -60,14 +60,14 @@ std::vector<double> spread(const FlipSearch& search, const ValueRange& range, in
   return values;
 }
 
-/// What --parameter says: a field alone, its range, or values to try and no others.
+/// Reads --parameter: a field alone, its range, or the only values to try.
 void read_what_is_sought(Find& find) {
   const std::string& text = find.definition.parameter;
   if (text.find('=') == std::string::npos) {
     find.pointer = scene_pointer(text, kParameter);
     const double present = present_value(find);
     if (present <= 0 || takes_whole_numbers(find, present, present))
-      throw InputError(kParameter, text + " is " + number_text(present) + ", from which no range can be widened",
+      throw InputError(kParameter, text + " is " + number_text(present) + ", from which no range can be found",
                        "give one, as " + text + "=0:10");
     find.values = {present};
     find.search.geometric = true;
@@ -94,27 +94,26 @@ SweepPlan repeats_of(const FindDefinition& definition, const Scene& scene) {
   return make_plan(std::move(parameters), 0, 0);
 }
 
-/// Settings of runs come one after another: none may take back what an earlier one says.
+/// Throws InputError if a later setting of the runs would override an earlier one.
 void check_pointers(const Find& find) {
   for (const Parameter& parameter : find.repeats.parameters)
     for (const std::string& repeated : parameter.pointers) {
       if (hides(find.pointer, repeated))
-        throw InputError(kParameter, find.pointer + " takes back what --vary " + parameter.name + " says",
-                         "vary another field");
+        throw InputError(kParameter, find.pointer + " overrides --vary " + parameter.name, "vary another field");
       for (const Condition& condition : find.conditions)
         for (const SceneSetting& setting : condition.settings)
           if (hides(setting.pointer, repeated))
-            throw InputError("--condition", setting.pointer + " takes back what --vary " + parameter.name + " says",
+            throw InputError("--condition", setting.pointer + " overrides --vary " + parameter.name,
                              "vary another field");
     }
   for (const Condition& condition : find.conditions)
     for (const SceneSetting& setting : condition.settings)
       if (hides(find.pointer, setting.pointer))
         throw InputError("--condition", "sets " + setting.pointer + ", which --parameter sets too",
-                         "look for another field, or leave it out of the condition");
+                         "search another field, or leave it out of the condition");
 }
 
-/// What cannot be read fails here, before any run is made.
+/// Throws InputError for runs that cannot be read, before any run is made.
 void check_requests(const Find& find) {
   for (const double value : find.values)
     for (const Condition& condition : find.conditions)
@@ -122,8 +121,8 @@ void check_requests(const Find& find) {
         read_scene(find.definition.scene, find.request(value, condition, repeat).settings);
 }
 
-/// Which conditions hold, and on which side of its range each outcome lies that should be within one: values at which
-/// all hold may lie between two where none does.
+/// Returns which conditions hold, and on which side of its range each outcome lies that should be within one: values at
+/// which all hold may lie between two at which none does.
 State state_of(const std::vector<Condition>& conditions, const Trial& trial) {
   State state;
   for (std::size_t i = 0; i < conditions.size(); ++i) {
@@ -137,12 +136,12 @@ State state_of(const std::vector<Condition>& conditions, const Trial& trial) {
   return state;
 }
 
-/// Makes the runs of some values side by side.
+/// Makes the runs of several values in parallel.
 class Laboratory {
  public:
-  Laboratory(const Find& find, const Effort& effort) : find_(find), effort_(effort) {}
+  Laboratory(const Find& find, const JobLimits& job_limits) : find_(find), limits_(job_limits) {}
 
-  /// How things stand at each value; what was tried before is not tried again.
+  /// Returns the state at each value; known values are not run again.
   std::vector<State> states(const std::vector<double>& values) {
     std::vector<double> fresh;
     for (const double value : values)
@@ -163,7 +162,7 @@ class Laboratory {
       const double value = values[i / (conditions * repeats)];
       results[i] = outcomes_of_run(find_.request(value, find_.conditions[i / repeats % conditions], i % repeats), i);
     };
-    work_side_by_side(results.size(), effort_.jobs, work, [this] { return folder_.termination_requested(); });
+    work_side_by_side(results.size(), limits_.jobs, work, [this] { return folder_.termination_requested(); });
     if (folder_.termination_requested()) throw std::runtime_error("interrupted");
     for (std::size_t i = 0; i < results.size(); ++i)
       add(values[i / (conditions * repeats)], i / repeats % conditions, std::move(results[i]));
@@ -180,7 +179,7 @@ class Laboratory {
 
   Outcomes outcomes_of_run(const RunRequest& request, std::size_t number) const {
     const fs::path file = folder_.path() / (std::to_string(number) + ".json");
-    if (!make_run(request, file, effort_.limits, [this] { return folder_.termination_requested(); })) return {};
+    if (!make_run(request, file, limits_.limits, [this] { return folder_.termination_requested(); })) return {};
     RunRecord record = record_from_json(read_file(file), file.string());
     if (!record.error.empty())
       throw std::runtime_error("a run failed: " + record.error + "\n  " + shell_command(editor_words(request)));
@@ -188,7 +187,7 @@ class Laboratory {
   }
 
   const Find& find_;
-  const Effort& effort_;
+  const JobLimits& limits_;
   TemporaryFolder folder_;
 };
 
@@ -205,7 +204,7 @@ RunRequest Find::request(double value, const Condition& condition, std::size_t r
   return request;
 }
 
-Find make_find(const FindDefinition& definition, const Effort& effort) {
+Find make_find(const FindDefinition& definition, const JobLimits& job_limits) {
   Find find;
   find.definition = definition;
   find.program = this_program();
@@ -215,7 +214,7 @@ Find make_find(const FindDefinition& definition, const Effort& effort) {
   find.repeats = repeats_of(definition, scene);
   find.search.tolerance = definition.tolerance;
   const int runs_of_a_value = static_cast<int>(find.conditions.size() * find.repeats.runs.size());
-  find.search.values_at_a_time = std::clamp(effort.jobs / runs_of_a_value, 1, 8);
+  find.search.values_at_a_time = std::clamp(job_limits.jobs / runs_of_a_value, 1, 8);
   read_what_is_sought(find);
   check_pointers(find);
   check_requests(find);
@@ -230,8 +229,8 @@ double Trial::median(std::size_t condition, std::size_t outcome) const {
   return quantile(std::move(values), 0.5);
 }
 
-Trials find(const Find& find, const Effort& effort) {
-  Laboratory laboratory(find, effort);
+Trials find(const Find& find, const JobLimits& job_limits) {
+  Laboratory laboratory(find, job_limits);
   const StateAt state = [&](const std::vector<double>& values) { return laboratory.states(values); };
   std::vector<double> values = find.values;
   if (values.size() == 1 && find.narrow)

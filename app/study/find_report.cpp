@@ -25,7 +25,7 @@ std::map<double, bool> verdicts(const Trials& trials) {
   return verdicts;
 }
 
-/// "yes, pieces 12" or, of several runs, "7/20 = 0.35 [0.18, 0.57], pieces 12".
+/// Describes a trial: "yes, pieces 12" or, for several runs, "7/20 = 0.35 [0.18, 0.57], pieces 12".
 std::string seen(const Find& find, std::size_t condition, const Trial& trial) {
   const Proportion& proportion = trial.proportions[condition];
   std::string text = proportion.successes > 0 ? "yes" : "no";
@@ -54,14 +54,14 @@ std::string trial_table(const Find& find, const Trials& trials) {
   return text_table(lines);
 }
 
-/// A condition that holds on one side of the flip alone.
+/// Returns a condition that holds on one side of the flip alone.
 const Condition& deciding_condition(const Find& find, const Trial& below, const Trial& above) {
   for (std::size_t i = 0; i < find.conditions.size(); ++i)
     if (below.proportions[i].mostly() != above.proportions[i].mostly()) return find.conditions[i];
   return find.conditions.front();
 }
 
-/// "fails at 11.25, holds at 11.3", and the commands that open the first run of both.
+/// Describes a flip: "fails at 11.25, holds at 11.3", with the commands that open the first run of both.
 std::string flip_text(const Find& find, const Trials& trials, const Bracket& flip) {
   const bool above_holds = trials.at(flip.above).holds();
   std::string text = (above_holds ? "fails at " : "holds at ") + number_text(flip.below) +
@@ -74,7 +74,7 @@ std::string flip_text(const Find& find, const Trials& trials, const Bracket& fli
 
 std::string intervals_text(const Trials& trials) {
   const std::vector<HoldingInterval> intervals = holding_intervals(trials);
-  if (intervals.empty()) return "no value that was tried holds\n";
+  if (intervals.empty()) return "the conditions hold at no tried value\n";
   std::string text = "holds";
   for (std::size_t i = 0; i < intervals.size(); ++i) {
     const auto [low, high] = intervals[i];
@@ -85,7 +85,7 @@ std::string intervals_text(const Trials& trials) {
   return text + "\n";
 }
 
-/// Which conditions kept values from holding, where none held.
+/// Names the conditions that failed at all values.
 std::string obstacles_text(const Find& find, const Trials& trials) {
   std::string text;
   for (std::size_t i = 0; i < find.conditions.size(); ++i) {
@@ -133,10 +133,12 @@ std::string find_text(const Find& find, const Trials& trials) {
   std::string text = trial_table(find, trials);
   if (find.repeats.runs.size() > 1)
     text += "of " + std::to_string(find.repeats.runs.size()) +
-            " runs each, with Wilson's interval of 95 %, medians; a value holds where at least half of its runs do\n";
+            " runs each, with Wilson's 95 % interval and medians; a condition holds if it does in at least half of the "
+            "runs\n";
   text += "\n" + intervals_text(trials);
   const std::vector<Bracket> flips = flips_among(verdicts(trials));
-  if (flips.size() > 1) text += "it changes " + std::to_string(flips.size()) + " times: there is no single threshold\n";
+  if (flips.size() > 1)
+    text += "there are " + std::to_string(flips.size()) + " changes: there is no single threshold\n";
   for (const Bracket& flip : flips) text += flip_text(find, trials, flip);
   if (flips.empty() && !trials.begin()->second.holds()) text += obstacles_text(find, trials);
   return text;

@@ -15,7 +15,7 @@ bool is_narrow(const FlipSearch& search, const Bracket& flip, double range) {
   return width <= search.tolerance * (search.geometric ? flip.below : range);
 }
 
-/// Values that part the interval into equal ones, without its ends.
+/// Returns values that divide the interval into equal parts, without its ends.
 std::vector<double> inner_values(const FlipSearch& search, const Bracket& flip) {
   std::vector<double> values;
   for (int i = 1; i <= search.values_at_a_time; ++i) {
@@ -30,7 +30,7 @@ void try_all(std::map<double, State>& tried, const std::vector<double>& values, 
   for (std::size_t i = 0; i < values.size(); ++i) tried[values[i]] = states[i];
 }
 
-/// `outside`, or where that is not allowed, the value next to it that is: `inside` or beyond.
+/// Returns `outside` if it is allowed, else the nearest allowed value toward `inside`.
 double furthest_allowed(double inside, double outside, const std::function<bool(double)>& allowed) {
   if (allowed(outside)) return outside;
   constexpr int kHalvings = 20;
@@ -41,7 +41,7 @@ double furthest_allowed(double inside, double outside, const std::function<bool(
   return inside;
 }
 
-/// To so many digits that values a tolerance apart still differ well.
+/// Rounds to as many digits as values a tolerance apart need.
 double rounded(double value, double tolerance) {
   char digits[32];
   std::snprintf(digits, sizeof digits, "%.*g", 3 + static_cast<int>(std::ceil(-std::log10(tolerance))), value);

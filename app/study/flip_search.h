@@ -7,33 +7,32 @@
 
 namespace griffith::app {
 
-/// How things stand at a value of a parameter: numbers that are equal where nothing changes.
+/// State at a value of a parameter: numbers that are equal if nothing changes.
 using State = std::vector<int>;
 using StateAt = std::function<std::vector<State>(const std::vector<double>& values)>;
 
-/// Two values, next to each other among all that were tried.
+/// Two adjacent tried values.
 struct Bracket {
   double below = 0, above = 0;
 };
 
-/// How narrowly to search.
+/// Settings of a search.
 struct FlipSearch {
-  bool geometric = false;    ///< intervals are parted by the ratio of their ends, which are > 0
-  bool whole = false;        ///< values are whole numbers
-  double tolerance = 0.01;   ///< of a flip: its width over the value where geometric, else over the whole range
-  int values_at_a_time = 1;  ///< that are tried to part an interval, >= 1
+  bool geometric = false;    ///< intervals are divided by the ratio of their ends, which are > 0
+  bool whole = false;        ///< values are integers
+  double tolerance = 0.01;   ///< width of a flip relative to its value if geometric, else to the whole range
+  int values_at_a_time = 1;  ///< values tried at once to divide an interval, >= 1
   std::size_t most_values = 200;
 };
 
-/// The value at `fraction` (0..1) of the way from `low` to `high`.
+/// Returns the value at `fraction` (0..1) between `low` and `high`.
 double value_between(const FlipSearch& search, double low, double high, double fraction);
 
-/// Tries `values` (ascending, two at least), then parts the intervals at whose ends the state differs, until they are
-/// narrow or `most_values` are tried. What comes and goes within an interval may pass unseen. Throws what `state`
-/// throws.
+/// Tries `values` (ascending, at least two), then divides the intervals between different states until they are narrow
+/// or `most_values` are tried. A state within an interval may go unseen. Rethrows exceptions of `state`.
 std::map<double, State> search_flips(const FlipSearch& search, const std::vector<double>& values, const StateAt& state);
 
-/// Where neighbours differ.
+/// Returns the brackets between different adjacent states.
 template <class T>
 std::vector<Bracket> flips_among(const std::map<double, T>& tried) {
   std::vector<Bracket> flips;
@@ -42,8 +41,8 @@ std::vector<Bracket> flips_among(const std::map<double, T>& tried) {
   return flips;
 }
 
-/// Widens from `start` > 0 by factors of two, both ways at once, until the state differs from that at the start, at
-/// most `doublings` times and only as far as `allowed` says (a value may be tried again). Returns all values tried,
+/// Widens from `start` > 0 by factors of two in both directions until the state differs from that at the start, at most
+/// `doublings` times and only to values that `allowed` accepts (a value may be tried again). Returns all tried values,
 /// ascending.
 std::vector<double> widened_until_flip(double start, int doublings, const std::function<bool(double)>& allowed,
                                        const StateAt& state);

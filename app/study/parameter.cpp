@@ -30,7 +30,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-/// "5", "log" and "5log" into `range`; false for another text.
+/// Parses "5", "log" and "5log" into `range`; false for another text.
 bool read_spacing(std::string text, ValueRange& range) {
   if (text.ends_with("log")) {
     range.logarithmic = true;
@@ -86,17 +86,17 @@ std::optional<ValueRange> read_range(const std::string& text, const std::string&
   if (parts.size() < 2 || !low) return std::nullopt;
   const std::optional<double> high = number_in(parts[1]);
   ValueRange range{.low = *low, .high = high.value_or(0)};
-  if (!high || parts.size() > 3) refuse(where, text, "is no range");
+  if (!high || parts.size() > 3) refuse(where, text, "is not a range");
   if (parts.size() == 3 && !read_spacing(parts[2], range))
     refuse(where, text, "does not end in a count of at least 2, \"log\" or both");
-  if (!(range.low < range.high)) refuse(where, text, "does not go upwards");
+  if (!(range.low < range.high)) refuse(where, text, "is not ascending");
   if (range.logarithmic && range.low <= 0) refuse(where, text, "is logarithmic, but does not start above 0");
   return range;
 }
 
 Parameter read_parameter(const std::string& text, const std::string& where) {
   const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || equals + 1 == text.size()) refuse(where, text, "says no values");
+  if (equals == std::string::npos || equals + 1 == text.size()) refuse(where, text, "has no values");
   Parameter parameter;
   parameter.pointers = {scene_pointer(text.substr(0, equals), where)};
   parameter.name = parameter.pointers[0].substr(1);

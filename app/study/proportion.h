@@ -2,7 +2,7 @@
 
 namespace griffith::app {
 
-/// A probability that some trials tell of.
+/// A probability estimated from trials.
 struct Proportion {
   int successes = 0, trials = 0;
 
@@ -14,7 +14,8 @@ struct ConfidenceInterval {
   double low = 0, high = 1;
 };
 
-/// Wilson's score interval of 95 % (E. B. Wilson, JASA 1927): right also for few trials, and for none or all successes.
+/// Returns Wilson's score interval of 95 % (E. B. Wilson, JASA 1927), valid also for few trials and for none or all
+/// successes.
 ConfidenceInterval wilson_interval(const Proportion& proportion);
 
 }  // namespace griffith::app

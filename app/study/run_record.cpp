@@ -12,7 +12,7 @@ namespace {
 
 using Record = nlohmann::ordered_json;
 
-/// What never came is null, what is no number says so.
+/// Returns null for a time that never came, and a text for NaN.
 Record outcome_json(double value) {
   if (std::isnan(value)) return "nan";
   if (value == -kNever) return "-inf";
@@ -25,7 +25,7 @@ double outcome_in(const Record& outcomes, const OutcomeKind& kind, const std::st
   if (found != outcomes.end() && *found == "-inf") return -kNever;
   if (found == outcomes.end() || !(found->is_number() || found->is_null()))
     throw InputError(where, "lacks the outcome \"" + std::string(kind.key) + "\"",
-                     "it is no file of this version of the program: remove it, and the run is made again");
+                     "it is from another version of the program: remove it to repeat the run");
   return found->is_null() ? kNever : found->get<double>();
 }
 
@@ -51,7 +51,7 @@ RunRecord record_from_json(const std::string& text, const std::string& where) {
     return record;
   }
   if (!problems.empty() || !json.is_object() || !json.contains("outcomes") || !json["outcomes"].is_object())
-    throw InputError(where, "is no record of a run", "remove it, and the run is made again");
+    throw InputError(where, "is not the record of a run", "remove it to repeat the run");
   for (const OutcomeKind& kind : outcome_kinds()) record.outcomes.push_back(outcome_in(json["outcomes"], kind, where));
   return record;
 }

@@ -6,16 +6,16 @@
 
 namespace griffith::app {
 
-/// What a run leaves behind: its outcomes, or why it has none.
+/// Result of a run: its outcomes, or an error.
 struct RunRecord {
   Outcomes outcomes;
-  std::string error;  ///< empty: it came to its end
+  std::string error;  ///< empty: completed
 };
 
-/// The record as a JSON object: `outcomes` by their keys, null where infinite; or `error`.
+/// Returns the record as a JSON object: `outcomes` by their keys, null if infinite; or `error`.
 std::string record_json(const RunRecord& record);
 
-/// The record in `text`. Throws InputError, which names `where`, for what record_json() does not write.
+/// Parses a record. Throws InputError, which names `where`, for texts that record_json() does not write.
 RunRecord record_from_json(const std::string& text, const std::string& where);
 
 }  // namespace griffith::app

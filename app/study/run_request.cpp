@@ -13,7 +13,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// Whether somebody may have sent the signal who wants this program to end, too, or needed the memory.
+/// True if the signal may come from outside: from a user who wants this program to end, too, or for lack of memory.
 bool from_without(const ProcessOutcome& outcome) {
   constexpr std::array kSignals = {SIGKILL, SIGTERM, SIGINT, SIGHUP};
   return outcome.end == ProcessOutcome::End::killed_by_signal &&

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "0001.json": with as many digits as the last run's number has, four at least.
+/// Returns a file name: "0001.json", with at least four digits and as many as the last run's number has.
 std::string numbered_name(const Sweep& sweep, std::size_t run, const char* extension) {
   const int digits = std::max<int>(4, static_cast<int>(std::to_string(sweep.size()).size()));
   char name[64];
@@ -19,7 +19,7 @@ std::string numbered_name(const Sweep& sweep, std::size_t run, const char* exten
   return name;
 }
 
-/// Runs whose scene cannot be read fail here, before any is made.
+/// Throws InputError for runs whose scene cannot be read, before any run is made.
 void check_runs(const Sweep& sweep) {
   for (std::size_t run = 0; run < sweep.size(); ++run) read_scene(sweep.definition.scene, sweep.request(run).settings);
 }

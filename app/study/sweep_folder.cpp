@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Definition = nlohmann::ordered_json;
 
-/// What has to be the same for the runs to be the same.
+/// Returns the definition that determines the runs.
 Definition definition_json(const SweepDefinition& definition) {
   return {{"program", "griffith " GRIFFITH_VERSION},
           {"scene_file", hash_text(hash_bytes(read_file(definition.scene)))},
@@ -42,7 +42,7 @@ void require_same(const Sweep& sweep, const Definition& mine) {
   for (const auto& [key, value] : mine.items()) {
     if (theirs.is_object() && theirs.contains(key) && theirs[key] == value) continue;
     const std::string there = theirs.is_object() && theirs.contains(key) ? theirs[key].dump() : "missing";
-    throw InputError(where, "is of another sweep: " + key + " is " + there + " there and " + value.dump() + " now",
+    throw InputError(where, "belongs to another sweep: " + key + " is " + there + " there and " + value.dump() + " now",
                      "name another folder with -o, or repeat the command that made this one");
   }
 }
@@ -58,12 +58,12 @@ void make_folder(const fs::path& folder) {
 FolderLock::FolderLock(const fs::path& folder)
     : folder_((make_folder(folder), open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC))) {
   if (!folder_.is_open())
-    throw InputError(folder.string(), "cannot be opened", "name a folder that may be read and written with -o");
+    throw InputError(folder.string(), "cannot be opened", "name a readable and writable folder with -o");
   if (flock(folder_.number(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
-  throw InputError(folder.string(), "is being swept by another process", "wait for it, or name another folder with -o");
+  throw InputError(folder.string(), "is in use by another process", "wait for it, or name another folder with -o");
 }
 
-void take_up(const Sweep& sweep) {
+void prepare_folder(const Sweep& sweep) {
   make_folder(sweep.folder / "runs");
   remove_stale_files(sweep.folder / "runs");
   const Definition definition = definition_json(sweep.definition);
@@ -90,7 +90,7 @@ std::vector<std::optional<RunRecord>> read_records(const Sweep& sweep) {
   return records;
 }
 
-void forget_failed_runs(const Sweep& sweep) {
+void remove_failed_records(const Sweep& sweep) {
   const std::vector<std::optional<RunRecord>> records = read_records(sweep);
   for (std::size_t run = 0; run < records.size(); ++run)
     if (records[run] && !records[run]->error.empty()) fs::remove(sweep.record_file(run));

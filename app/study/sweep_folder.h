@@ -8,27 +8,27 @@
 
 namespace griffith::app {
 
-/// Keeps a second sweep out of the same folder while it lives, also when it is killed.
+/// Locks the folder against a second sweep as long as it exists, even if the process is killed.
 class FolderLock {
  public:
-  /// Throws InputError when another sweep is at work there.
+  /// Throws InputError if another sweep is running there.
   explicit FolderLock(const std::filesystem::path& folder);
 
  private:
   Descriptor folder_;
 };
 
-/// Makes the folder, or takes up the sweep in it. Throws InputError when it holds another sweep, saying what differs,
-/// and when it cannot be written.
-void take_up(const Sweep& sweep);
+/// Makes the folder, or continues the sweep in it. Throws InputError if it holds another sweep, naming the difference,
+/// or if it cannot be written.
+void prepare_folder(const Sweep& sweep);
 
-/// The runs that have no record.
+/// Returns the runs without a record.
 std::vector<std::size_t> missing_runs(const Sweep& sweep);
 
-/// The records, nothing for runs that have none. Throws InputError for one that is none.
+/// Reads the records, empty for runs that have none. Throws InputError for an invalid one.
 std::vector<std::optional<RunRecord>> read_records(const Sweep& sweep);
 
-/// Removes the records of runs that failed.
-void forget_failed_runs(const Sweep& sweep);
+/// Removes the records of failed runs.
+void remove_failed_records(const Sweep& sweep);
 
 }  // namespace griffith::app

@@ -18,8 +18,8 @@ constexpr std::string_view kBody = R"html(
 <div id="plots">
 <div class="controls">
   <label>Outcome <select id="outcome"></select></label>
-  <label>across <select id="across"></select></label>
-  <label>colour and up <select id="up"></select></label>
+  <label>Horizontal axis <select id="across"></select></label>
+  <label>Color, vertical axis <select id="up"></select></label>
 </div>
 <div class="charts"><figure id="scatter"></figure><figure id="heat"></figure></div>
 </div>
@@ -30,7 +30,7 @@ constexpr std::string_view kBody = R"html(
 <code id="bar-command"></code></div>
 )html";
 
-/// Opens the run from any working folder.
+/// Returns a command that opens the run from any working folder.
 std::string opening_command(const Sweep& sweep, std::size_t run) {
   RunRequest request = sweep.request(run);
   request.scene = fs::absolute(request.scene).lexically_normal();
@@ -75,7 +75,7 @@ PageData run_data(const Sweep& sweep, std::size_t run, const RunRecord& record) 
   return data;
 }
 
-/// JSON that may stand in an element of HTML.
+/// Returns JSON that may be embedded in an HTML element.
 std::string embedded(const PageData& data) {
   std::string text;
   for (const char c : data.dump(-1, ' ', false, PageData::error_handler_t::replace))
@@ -87,7 +87,7 @@ std::string introduction(const Sweep& sweep, std::size_t made, const std::string
   const std::string scene = escape_markup(sweep.definition.scene.filename().string());
   std::string text = "<h1>Sweep of " + scene + "</h1>\n<p class=\"muted\">" + std::to_string(made) + " of " +
                      std::to_string(sweep.size()) + " runs of " + std::to_string(sweep.definition.frames) +
-                     " time steps. A click on a run shows the command that opens it, and copies it.</p>\n";
+                     " time steps. Click a run to see and copy the command that opens it.</p>\n";
   if (!note.empty()) text += "<p class=\"note\">" + escape_markup(note) + "</p>\n";
   return text;
 }

@@ -32,7 +32,7 @@ function choose(run, copy = true) {
 
 const kViridis = [[68,1,84],[72,40,120],[62,74,137],[49,104,142],[38,130,142],[31,158,137],[53,183,121],[109,205,89],
                   [180,222,44],[253,231,37]];
-function colour(t) {
+function colorOf(t) {
   const at = Math.min(Math.max(t, 0), 1) * (kViridis.length - 1), i = Math.min(Math.floor(at), kViridis.length - 2);
   return 'rgb(' + kViridis[i].map((c, k) => Math.round(c + (kViridis[i + 1][k] - c) * (at - i))).join() + ')';
 }
@@ -86,17 +86,17 @@ function drawScatter(o, p, other) {
   axes(svg, x, y, data.parameters[p].name, outcome.key + unitOf(outcome));
   for (const run of runs) {
     const dot = element(svg, 'circle', {class: 'run', 'data-run': run.id, r: 5, cx: px(x.place(run.p[p])),
-      cy: py(y.place(run.o[o])), fill: other === p ? 'var(--accent)' : colour(c.place(run.p[other]))});
+      cy: py(y.place(run.o[o])), fill: other === p ? 'var(--accent)' : colorOf(c.place(run.p[other]))});
     element(dot, 'title', {}, `Run ${run.id}: ${outcome.key} ${short(run.o[o])}; ${caption(run)}`);
     dot.onclick = () => choose(run);
   }
   const ends = isNumeric(other) ? [Math.min, Math.max].map(f => f(...data.runs.map(run => run.p[other])))
                                 : [c.ticks[0], c.ticks.at(-1)];
   if (other !== p) element(byId('scatter'), 'div', {class: 'muted', style: `max-width: ${kWidth}px; font-size: 12px`},
-    `Colour: ${data.parameters[other].name}, from violet (${short(ends[0])}) to yellow (${short(ends[1])})`);
+    `Color: ${data.parameters[other].name}, from violet (${short(ends[0])}) to yellow (${short(ends[1])})`);
 }
 
-// Columns of the heat map: the values themselves where they are few, else ten equal intervals.
+// Columns of the heat map: the values themselves if they are few, else ten equal intervals.
 function bins(p) {
   const values = [...new Set(data.runs.map(run => run.p[p]))];
   if (!isNumeric(p) || values.length <= 12) {
@@ -123,7 +123,7 @@ function drawHeat(o, p, q) {
     const [i, j] = key.split(',').map(Number), value = mean(runs), t = high > low ? (value - low) / (high - low) : 0.5;
     const at = {x: kLeft + i * w + 1, y: kHeight - kBottom - (j + 1) * h + 1};
     const cell = element(svg, 'rect', {class: 'run', 'data-run': runs[0].id, ...at, width: w - 2, height: h - 2,
-                                       fill: colour(t)});
+                                       fill: colorOf(t)});
     element(cell, 'title', {}, runs.map(run => `Run ${run.id}: ${short(run.o[o])}; ${caption(run)}`).join('\n'));
     cell.onclick = () => choose(runs[0]);
     if (w > 40 && h > 16) element(svg, 'text', {x: at.x + w / 2 - 1, y: at.y + h / 2 + 3, 'text-anchor': 'middle',

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMaxRuns = 100'000;
 
-/// 0 .. count - 1 in random order; std::shuffle differs between libraries.
+/// Returns 0 .. count - 1 in random order; std::shuffle differs between libraries.
 std::vector<int> permutation(int count, std::mt19937_64& random) {
   std::vector<int> order(static_cast<std::size_t>(count));
   std::iota(order.begin(), order.end(), 0);
@@ -27,27 +27,25 @@ void check_parameters(const std::vector<Parameter>& parameters, int samples) {
   for (const Parameter& parameter : parameters) {
     any_sampled |= is_sampled(parameter);
     if (is_sampled(parameter) && samples == 0)
-      throw InputError("--vary " + parameter.name, "says no count",
+      throw InputError("--vary " + parameter.name, "has no count",
                        "add one, as 1:10:5, or --latin-hypercube N to take N points of all such ranges");
     for (const std::string& pointer : parameter.pointers) {
       for (const std::string& earlier : pointers)
         if (hides(pointer, earlier) && pointer != earlier)
-          throw InputError("--vary " + parameter.name, "takes back what is said of " + earlier + " before it",
-                           "put it first");
+          throw InputError("--vary " + parameter.name, "overrides " + earlier + " before it", "put it first");
       if (!pointers.insert(pointer).second)
-        throw InputError("--vary " + parameter.name, "comes twice", "give all its values at once");
+        throw InputError("--vary " + parameter.name, "is repeated", "give all its values at once");
     }
   }
   if (samples > 0 && !any_sampled)
-    throw InputError("--latin-hypercube", "has no range to take points of",
-                     "give one without a count, as 1:10 or 1:10:log");
+    throw InputError("--latin-hypercube", "has no range to sample", "give one without a count, as 1:10 or 1:10:log");
 }
 
-/// Each of the `runs` once with each of the values.
+/// Repeats each of the `runs` with each of the values.
 void multiply(std::vector<std::vector<std::string>>& runs, std::size_t parameter,
               const std::vector<std::string>& values) {
   if (runs.size() * values.size() > kMaxRuns)
-    throw InputError("--vary", "makes more than 100,000 runs", "take fewer values, or a Latin hypercube");
+    throw InputError("--vary", "makes more than 100,000 runs", "use fewer values, or a Latin hypercube");
   std::vector<std::vector<std::string>> product;
   for (const std::vector<std::string>& run : runs) {
     for (const std::string& value : values) {
@@ -58,7 +56,7 @@ void multiply(std::vector<std::vector<std::string>>& runs, std::size_t parameter
   runs = std::move(product);
 }
 
-/// One run a point of a Latin hypercube over the sampled parameters, without values for the others.
+/// Returns one run for each point of a Latin hypercube over the sampled parameters, without values for the others.
 std::vector<std::vector<std::string>> sampled_runs(const std::vector<Parameter>& parameters, int samples,
                                                    std::uint64_t seed) {
   std::vector<std::vector<std::string>> runs;
@@ -102,8 +100,9 @@ Parameter seed_parameter(const Scene& scene, int count) {
     if (scene.bodies[i].strength_scatter)
       parameter.pointers.push_back("/bodies/" + std::to_string(i) + "/strength_scatter/seed");
   if (parameter.pointers.empty())
-    throw InputError("--seeds", "no body of the scene has a random strength",
-                     "add --set 'bodies/0/strength_scatter={\"weibull_modulus\": 10}', or vary where the shot hits");
+    throw InputError(
+        "--seeds", "no body of the scene has a random strength",
+        "add --set 'bodies/0/strength_scatter={\"weibull_modulus\": 10}' , or vary the position of the shot");
   for (int seed = 1; seed <= count; ++seed) parameter.values.push_back(std::to_string(seed));
   return parameter;
 }

@@ -9,18 +9,18 @@
 
 namespace griffith::app {
 
-/// What runs may use.
-struct Effort {
-  int jobs = 1;  ///< at a time
+/// Resources of runs.
+struct JobLimits {
+  int jobs = 1;  ///< simultaneous runs
   ProcessLimits limits;
 };
 
-/// Makes the runs that have no record, until `cancelled` says so. Throws InputError when a record cannot be written.
-void make_missing_runs(const Sweep& sweep, const Effort& effort, const std::function<bool()>& cancelled);
+/// Makes the runs without a record, until `cancelled` returns true. Throws InputError if a record cannot be written.
+void make_missing_runs(const Sweep& sweep, const JobLimits& job_limits, const std::function<bool()>& cancelled);
 
-/// Makes the pictures of the runs that succeeded and have none; gives up where the first ones cannot be drawn, such as
-/// for want of graphics. `sweep` has a picture_frame. Returns why one is missing; empty: all are there.
+/// Makes the missing pictures of successful runs; stops if the first ones cannot be drawn, such as for lack of
+/// graphics. `sweep` has a picture_frame. Returns the reason why one is missing; empty if all exist.
 std::string make_missing_pictures(const Sweep& sweep, const std::vector<std::optional<RunRecord>>& records,
-                                  const Effort& effort, const std::function<bool()>& cancelled);
+                                  const JobLimits& job_limits, const std::function<bool()>& cancelled);
 
 }  // namespace griffith::app

@@ -10,7 +10,7 @@ using namespace griffith::c;
 
 namespace {
 
-/// How an entry of an array lies in memory.
+/// Memory layout of an entry of an array.
 template <class T>
 struct Layout;
 
@@ -62,13 +62,13 @@ griffith_array view_of(std::span<const T> values) {
   return view_of(values.data(), values.size(), sizeof(T));
 }
 
-/// One member of each struct of an array.
+/// Returns a view of one member of each struct of an array.
 template <class Struct, class T>
 griffith_array member_of(std::span<const Struct> values, T Struct::*member) {
   return view_of<T>(values.empty() ? nullptr : &(values.front().*member), values.size(), sizeof(Struct));
 }
 
-/// Numbers that lie `width` by `width` in a row.
+/// Returns a view of rows of `width` by `width` numbers.
 template <class T>
 griffith_array rows_of(const std::vector<T>& values, int width) {
   griffith_array view = view_of(values.data(), values.size() / width, width * sizeof(T));
@@ -82,7 +82,7 @@ griffith_array numbers_of(const std::vector<T>& values) {
   return view_of(std::span<const T>(values));
 }
 
-/// What arrays are views of.
+/// Objects behind the arrays.
 struct Source {
   Frame frame;
   const Surfaces& surfaces;
@@ -116,22 +116,22 @@ constexpr ArrayEntry kArrays[] = {
      {"node_separation_tensors", "N", "Separation tensors of nodes (O'Brien & Hodgins 1999)."},
      [](View s) { return member_of(s.frame.nodes.separations, &NodeSeparation::tensor); }},
     {GRIFFITH_NODE_SEPARATION_NORMALS,
-     {"node_separation_normals", "", "Unit normals of the planes across which nodes would part."},
+     {"node_separation_normals", "", "Unit normals of the planes across which nodes would separate."},
      [](View s) { return member_of(s.frame.nodes.separations, &NodeSeparation::direction); }},
     {GRIFFITH_NODE_SEPARATION_STRESS,
      {"node_separation_stress", "Pa", "Stress across that plane, averaged over the last substeps."},
      [](View s) { return member_of(s.frame.nodes.separations, &NodeSeparation::stress); }},
     {GRIFFITH_NODE_RESISTANCE,
-     {"node_resistance", "Pa", "What that plane bears; in newtons with the force criterion."},
+     {"node_resistance", "Pa", "Resistance of that plane; in newtons with the force criterion."},
      [](View s) { return member_of(s.frame.nodes.separations, &NodeSeparation::resistance); }},
     {GRIFFITH_NODE_REACTIONS,
      {"node_reactions", "N", "Forces of supports on nodes in the last step."},
      [](View s) { return view_of(s.frame.nodes.reactions); }},
     {GRIFFITH_NODE_HAS_SUPPORT,
-     {"node_has_support", "", "1 where a support acts on the node."},
+     {"node_has_support", "", "1 if a support acts on the node."},
      [](View s) { return view_of(s.frame.nodes.has_support); }},
     {GRIFFITH_NODE_AT_CRACK_FRONT,
-     {"node_at_crack_front", "", "1 where crack faces end at the node."},
+     {"node_at_crack_front", "", "1 if crack faces end at the node."},
      [](View s) { return view_of(s.frame.nodes.at_crack_front); }},
     {GRIFFITH_TET_NODES,
      {"tet_nodes", "", "Nodes of tetrahedra, positively oriented at rest."},
@@ -167,13 +167,13 @@ constexpr ArrayEntry kArrays[] = {
      {"body_scene_bodies", "", "Indices into the scene's bodies."},
      [](View s) { return member_of(s.frame.bodies, &BodyView::scene_body); }},
     {GRIFFITH_BODY_IS_RIGID,
-     {"body_is_rigid", "", "1 where the body moves as a whole."},
+     {"body_is_rigid", "", "1 if the body moves as a whole."},
      [](View s) { return member_of(s.frame.bodies, &BodyView::rigid); }},
     {GRIFFITH_BODY_IS_ASLEEP,
-     {"body_is_asleep", "", "1 where the body lies still until something disturbs it."},
+     {"body_is_asleep", "", "1 if the body is at rest until something disturbs it."},
      [](View s) { return member_of(s.frame.bodies, &BodyView::asleep); }},
     {GRIFFITH_BODY_IS_SUPPORTED,
-     {"body_is_supported", "", "1 where supports hold nodes of the body."},
+     {"body_is_supported", "", "1 if supports hold nodes of the body."},
      [](View s) { return member_of(s.frame.bodies, &BodyView::supported); }},
     {GRIFFITH_CRACK_STEPS,
      {"crack_steps", "", "Steps in which nodes separated."},
@@ -188,7 +188,7 @@ constexpr ArrayEntry kArrays[] = {
      {"crack_bodies", "", "Bodies that cracked."},
      [](View s) { return member_of(s.frame.crack_events, &CrackEvent::body); }},
     {GRIFFITH_CRACK_POSITIONS,
-     {"crack_positions", "m", "Where nodes separated."},
+     {"crack_positions", "m", "Positions at which nodes separated."},
      [](View s) { return member_of(s.frame.crack_events, &CrackEvent::position); }},
     {GRIFFITH_CRACK_NORMALS,
      {"crack_normals", "", "Unit normals of the crack planes."},
@@ -206,7 +206,7 @@ constexpr ArrayEntry kArrays[] = {
      {"contact_bodies_b", "", "Second bodies of contacts; -1 for a projectile or the ground."},
      [](View s) { return member_of(s.frame.contacts, &ContactView::b); }},
     {GRIFFITH_CONTACT_POSITIONS,
-     {"contact_positions", "m", "Where bodies touched in the last step."},
+     {"contact_positions", "m", "Positions of contacts of the last step."},
      [](View s) { return member_of(s.frame.contacts, &ContactView::position); }},
     {GRIFFITH_CONTACT_NORMALS,
      {"contact_normals", "", "Unit normals of contacts, from the second body to the first."},
@@ -224,7 +224,7 @@ constexpr ArrayEntry kArrays[] = {
      {"projectile_rotations", "", "Unit quaternions x, y, z, w of projectiles."},
      [](View s) { return member_of(s.frame.projectiles, &ProjectileView::rotation); }},
     {GRIFFITH_PROJECTILE_RADII,
-     {"projectile_radii", "m", "Radii of spheres, or of the sphere round a projectile."},
+     {"projectile_radii", "m", "Radii of spheres, or of the bounding sphere of a projectile."},
      [](View s) { return member_of(s.frame.projectiles, &ProjectileView::radius); }},
     {GRIFFITH_PROJECTILE_MASSES,
      {"projectile_masses", "kg", "Masses of projectiles."},
@@ -278,7 +278,7 @@ griffith_status griffith_world_array(const griffith_world* world, std::int32_t a
   return guarded(error, [&] {
     const griffith_world& shown = object_of(world, "world");
     griffith_array& result = object_of(view, "view");
-    require(is_array(array), "array", "is no array", "a griffith_array_id");
+    require(is_array(array), "array", "is not an array", "a griffith_array_id");
     result = kArrays[array].view({shown.world.frame(), shown.surfaces});
   });
 }

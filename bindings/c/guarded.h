@@ -13,31 +13,31 @@
 
 namespace griffith::c {
 
-/// A null, an index out of range or an unknown name that a caller handed over.
+/// A null pointer, an index out of range or an unknown name passed by the caller.
 class ArgumentError : public InputError {
  public:
   using InputError::InputError;
 };
 
-/// Throws ArgumentError where an argument is not as it has to be.
+/// Throws ArgumentError unless the condition on an argument holds.
 inline void require(bool holds, const char* argument, const char* problem, const char* remedy = "") {
   if (!holds) throw ArgumentError(argument, problem, remedy);
 }
 
-/// The object behind a pointer that must not be null.
+/// Returns the object behind a pointer. Throws ArgumentError if it is null.
 template <class T>
 T& object_of(T* pointer, const char* argument) {
   require(pointer != nullptr, argument, "is null", "pass an object that the library made");
   return *pointer;
 }
 
-/// The text behind a pointer that must not be null.
+/// Returns the text behind a pointer. Throws ArgumentError if it is null.
 inline std::string text_of(const char* text, const char* argument) {
-  require(text != nullptr, argument, "is null", "pass UTF-8 text that ends with a zero");
+  require(text != nullptr, argument, "is null", "pass zero-terminated UTF-8 text");
   return text;
 }
 
-/// Copies a text into an array, cut before a character of UTF-8 where it is longer.
+/// Copies a text into an array; a longer one is truncated before a UTF-8 character.
 template <std::size_t N>
 void copy_text(std::string_view text, char (&to)[N]) {
   constexpr std::string_view kCut = "…";

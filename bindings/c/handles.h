@@ -11,7 +11,7 @@
 #include "sim/world/setup/given_meshes.h"
 #include "sim/world/world.h"
 
-// What the opaque types of the C interface are.
+// Opaque types of the C interface.
 
 struct griffith_scene {
   griffith::Scene scene;
@@ -20,7 +20,7 @@ struct griffith_scene {
 
 struct griffith_world {
   griffith::World world;
-  bool edited = false;  ///< by a shot or another material, which a recording that begins now would miss
+  bool edited = false;  ///< a shot or another material, which a recording started now would lack
   std::optional<griffith::Recording> recording = {};
   griffith::c::Surfaces surfaces = {};
 };

@@ -2,12 +2,12 @@
 
 using namespace griffith::c;
 
-// Pictures of a library that was built without the renderer.
+// Pictures in a library built without the renderer: always an error.
 
 griffith_status griffith_painter_create(const griffith_world*, std::int32_t, std::int32_t, const char*, const char*,
                                         griffith_painter**, griffith_error* error) {
   return guarded(error, [] {
-    throw griffith::InputError("griffith_painter_create", "the library was built without pictures",
+    throw griffith::InputError("griffith_painter_create", "the library was built without the renderer",
                                "build it with GRIFFITH_BUILD_EDITOR");
   });
 }

@@ -20,7 +20,7 @@ app::RenderJob job_of(int width, int height, const char* camera, const char* vie
 
 }  // namespace
 
-/// A context of its own, made current for each call, and what draws in it.
+/// A context of its own, made current for each call, with its renderer.
 struct griffith_painter {
   griffith_painter(const World& world, const app::RenderJob& wanted)
       : job(wanted), pictures(job, world.scene(), world) {}
@@ -65,6 +65,6 @@ griffith_status griffith_painter_paint(griffith_painter* painter, const griffith
 }
 
 void griffith_painter_destroy(griffith_painter* painter) {
-  if (painter) painter->context.make_current();  // what it drew with is given back there
+  if (painter) painter->context.make_current();  // releases its graphics objects
   delete painter;
 }

@@ -15,13 +15,13 @@ namespace {
 
 constexpr char kScene[] = "scene";
 
-/// The pointer with its leading slash; "" stays the whole document.
+/// Returns the pointer with its leading slash; "" stays the whole document.
 std::string pointer_of(const char* pointer) {
   const std::string text = text_of(pointer, "pointer");
   return text.empty() ? text : scene_pointer(text, "pointer");
 }
 
-/// A copy that free() takes.
+/// Returns a copy for free().
 char* c_string(const std::string& text) {
   char* copy = static_cast<char*>(std::malloc(text.size() + 1));
   if (!copy) throw std::bad_alloc();
@@ -33,8 +33,8 @@ TetSoup soup_of(const double* points, std::int64_t point_count, const std::int32
   constexpr std::int64_t kMax = 100'000'000;
   require(point_count >= 0 && point_count <= kMax, "point_count", "is out of range", "0 to 100 million");
   require(tet_count >= 0 && tet_count <= kMax, "tet_count", "is out of range", "0 to 100 million");
-  require(points || point_count == 0, "points", "is null", "pass 3 coordinates a point");
-  require(tets || tet_count == 0, "tets", "is null", "pass 4 indices a tetrahedron");
+  require(points || point_count == 0, "points", "is null", "pass 3 coordinates per point");
+  require(tets || tet_count == 0, "tets", "is null", "pass 4 indices per tetrahedron");
   TetSoup soup;
   soup.points.reserve(point_count);
   soup.tets.reserve(tet_count);
@@ -45,7 +45,7 @@ TetSoup soup_of(const double* points, std::int64_t point_count, const std::int32
     soup.tets.push_back({tets[4 * i], tets[4 * i + 1], tets[4 * i + 2], tets[4 * i + 3]});
   for (const auto& tet : soup.tets)
     for (const int corner : tet)
-      require(corner >= 0 && corner < point_count, "tets", "has an index of no point", "0 to point_count - 1");
+      require(corner >= 0 && corner < point_count, "tets", "has an index out of range", "0 to point_count - 1");
   return soup;
 }
 

@@ -10,12 +10,12 @@
 namespace griffith::c {
 namespace {
 
-/// The body that owns the splinter of a part.
+/// Returns the body that owns the splinter of a part.
 BodyId owner_of(const Frame& frame, int part) {
   return frame.elements.bodies[frame.splinters.splinters[frame.splinters.parts[part].splinter].owner];
 }
 
-/// Calls add(body, polygon in the world, is_crack) for what is seen of the splinters.
+/// Calls add(body, polygon in the world, is_crack) for the visible faces of splinters.
 template <class Add>
 void visit_splinters(const Frame& frame, const Add& add) {
   const Frame::Splinters& all = frame.splinters;
@@ -32,8 +32,7 @@ void visit_splinters(const Frame& frame, const Add& add) {
   }
 }
 
-/// Calls add(body, triangle in the world, is_crack) for the faces of tetrahedra that nothing lies behind, of bodies
-/// without splinters.
+/// Calls add(body, triangle in the world, is_crack) for the boundary faces of tetrahedra in bodies without splinters.
 template <class Add>
 void visit_tets(const Frame& frame, const Add& add) {
   std::vector<bool> has_splinters(frame.materials.size());

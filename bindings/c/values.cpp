@@ -29,19 +29,19 @@ std::vector<ValueEntry> make_entries() {
       {"bodies", "", "Connected pieces.", [](Read w) { return static_cast<double>(w.frame().bodies.size()); }},
       {"cracks", "", "Nodes that separated since the start.",
        [](Read w) { return static_cast<double>(w.frame().crack_events.size()); }},
-      {"mass", "kg", "Mass of all that moves.", [](Read w) { return w.frame().totals.mass; }},
+      {"mass", "kg", "Total mass.", [](Read w) { return w.frame().totals.mass; }},
   };
   for (int axis = 0; axis < 3; ++axis) {
     const std::string suffix = {'_', "xyz"[axis]};
-    entries.push_back({"momentum" + suffix, "kg m/s", "Momentum of all that moves.",
-                       [axis](Read w) { return w.frame().totals.momentum[axis]; }});
+    entries.push_back(
+        {"momentum" + suffix, "kg m/s", "Total momentum.", [axis](Read w) { return w.frame().totals.momentum[axis]; }});
     entries.push_back({"angular_momentum" + suffix, "kg m^2/s", "Angular momentum about the origin.",
                        [axis](Read w) { return w.frame().totals.angular_momentum[axis]; }});
   }
   for (const EnergyEntry& entry : energy_entries())
     entries.push_back({"energy_" + std::string(entry.key), "J", std::string(entry.meaning),
                        [value = entry.value](Read w) { return w.frame().energy.*value; }});
-  entries.push_back({"energy_unaccounted", "J", "What the energy account does not explain.",
+  entries.push_back({"energy_unaccounted", "J", "Energy that the account does not explain.",
                      [](Read w) { return w.frame().energy.unaccounted(); }});
   for (const StepCounter& counter : step_counters())
     entries.push_back({"step_" + std::string(counter.key), counter.unit == "-" ? "" : std::string(counter.unit),
@@ -87,7 +87,7 @@ griffith_status griffith_world_value(const griffith_world* world, const char* na
     const griffith_world& read = object_of(world, "world");
     double& result = object_of(value, "value");
     const ValueEntry* entry = find_entry(text_of(name, "name"));
-    require(entry != nullptr, "name", "is no number of a frame", "griffith_value_describe() lists them");
+    require(entry != nullptr, "name", "is not a number of a frame", "griffith_value_describe() lists them");
     result = entry->read(read.world);
   });
 }

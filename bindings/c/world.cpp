@@ -51,7 +51,7 @@ ProjectileBurst burst_of(const griffith_shot& shot) {
   return burst;
 }
 
-/// The burst that one entry of a scene's projectiles describes.
+/// Parses an entry of a scene's projectiles.
 ProjectileBurst burst_of(const World& world, const std::string& json) {
   Scene scene;
   scene.folder = world.scene().folder;
@@ -61,7 +61,7 @@ ProjectileBurst burst_of(const World& world, const std::string& json) {
   return with_shot.projectiles[0];
 }
 
-/// The material that a body has now, with one field changed.
+/// Returns the current material of a body with one field changed.
 Material changed_material(const World& world, int body, const std::string& field, const std::string& json) {
   Scene scene;
   scene.bodies = {world.scene().bodies[body]};
@@ -161,7 +161,7 @@ griffith_status griffith_world_set_material(griffith_world* world, std::int32_t 
   return guarded(error, [&] {
     griffith_world& changed = object_of(world, kWorld);
     const auto bodies = static_cast<std::int32_t>(changed.world.scene().bodies.size());
-    require(scene_body >= 0 && scene_body < bodies, "scene_body", "is no body of the scene", "count from 0");
+    require(scene_body >= 0 && scene_body < bodies, "scene_body", "is not a body of the scene", "count from 0");
     const Material material =
         changed_material(changed.world, scene_body, text_of(field, "field"), text_of(json, "json"));
     changed.world.set_material(scene_body, material);

@@ -13,16 +13,16 @@ using System.Text;
 
 namespace Griffith {
 
-/// <summary>What a call of the library ended with: griffith_status.</summary>
+/// <summary>Result of a call of the library: griffith_status.</summary>
 public enum Status { Ok = 0, InvalidArgument = 1, InputError = 2, Cancelled = 3, OutOfMemory = 4, InternalError = 5 }
 
-/// <summary>A call of the library failed.</summary>
+/// <summary>A failed call of the library.</summary>
 public sealed class GriffithException : Exception {
   public Status Status { get; }
-  /// <summary>The place: a file, file:line, file#/json/pointer, or the argument.</summary>
+  /// <summary>Place: a file, file:line, file#/json/pointer, or the argument.</summary>
   public string Where { get; }
   public string Problem { get; }
-  /// <summary>What would be right; may be empty.</summary>
+  /// <summary>Correction; may be empty.</summary>
   public string Remedy { get; }
 
   public GriffithException(Status status, string where, string problem, string remedy)
@@ -34,7 +34,7 @@ public sealed class GriffithException : Exception {
   }
 }
 
-/// <summary>Arrays of a frame: griffith_array_id, which says their types, shapes and units.</summary>
+/// <summary>Arrays of a frame: griffith_array_id, with types, shapes and units.</summary>
 public enum ArrayId {
   NodePositions = 0, NodeRestPositions, NodeVelocities, NodeMasses, NodeUtilization, NodeSeparationTensors,
   NodeSeparationNormals, NodeSeparationStress, NodeResistance, NodeReactions, NodeHasSupport, NodeAtCrackFront,
@@ -71,7 +71,7 @@ public enum NumberType { Float64 = 0, Float32 = 1, Int64 = 2, Int32 = 3, UInt8 =
 
 /// <summary>A view of the library's own memory, valid until the next call that changes the world.</summary>
 public unsafe struct View {
-  /// <summary>The first entry; null where Count is 0.</summary>
+  /// <summary>The first entry; null if Count is 0.</summary>
   public readonly byte* Data;
   public readonly int Count;
   /// <summary>Bytes from one entry to the next.</summary>
@@ -96,7 +96,7 @@ public unsafe struct View {
     }
   }
 
-  /// <summary>True where entries follow each other without gaps, as NativeArray has them.</summary>
+  /// <summary>True if entries are contiguous, as in NativeArray.</summary>
   public bool IsContiguous { get { return Stride == EntrySize; } }
 
   public double Number(int index) { return *(double*)At(index, NumberType.Float64, 1); }
@@ -137,7 +137,7 @@ public sealed unsafe class Scene : IDisposable {
     return new Scene(handle);
   }
 
-  /// <summary>Gives the field at a JSON pointer another value, as JSON text.</summary>
+  /// <summary>Sets the field at a JSON pointer to a value in JSON.</summary>
   public void Set(string pointer, string json) {
     Native.Check(Native.griffith_scene_set(Handle, Native.Utf8(pointer), Native.Utf8(json), Native.ClearError()));
   }
@@ -168,7 +168,7 @@ public sealed unsafe class Scene : IDisposable {
   ~Scene() { Native.griffith_scene_destroy(Handle); }
 }
 
-/// <summary>A scene in motion. Used by one thread at a time.</summary>
+/// <summary>A simulation of a scene. Used by one thread at a time.</summary>
 public sealed unsafe class World : IDisposable {
   IntPtr handle_;
 
@@ -178,10 +178,10 @@ public sealed unsafe class World : IDisposable {
 
   World(IntPtr handle) { handle_ = handle; }
 
-  /// <summary>Advances by time steps of the scene. Views taken before are void then.</summary>
+  /// <summary>Advances by time steps of the scene. Earlier views become invalid.</summary>
   public void Step(int count = 1) { Native.Check(Native.griffith_world_step(handle_, count, Native.ClearError())); }
 
-  /// <summary>Returns a world that goes on from here as this one does.</summary>
+  /// <summary>Returns a copy that continues identically.</summary>
   public World Copy() {
     IntPtr copy;
     Native.Check(Native.griffith_world_copy(handle_, out copy, Native.ClearError()));
@@ -211,7 +211,7 @@ public sealed unsafe class World : IDisposable {
     Native.Check(Native.griffith_world_save_recording(handle_, Native.Utf8(path), Native.ClearError()));
   }
 
-  /// <summary>The hash that the command line writes.</summary>
+  /// <summary>Hash of the state, as in the command line.</summary>
   public ulong StateHash { get { return Native.griffith_world_state_hash(handle_); } }
 
   /// <summary>Returns a number of the frame by its name: "kinetic_energy".</summary>
@@ -229,7 +229,7 @@ public sealed unsafe class World : IDisposable {
                     view.Rows * view.Columns);
   }
 
-  /// <summary>Brings the surface arrays up to date.</summary>
+  /// <summary>Updates the surface arrays.</summary>
   public void UpdateSurfaces() { Native.Check(Native.griffith_world_update_surfaces(handle_, Native.ClearError())); }
 
   public void Dispose() {
@@ -241,7 +241,7 @@ public sealed unsafe class World : IDisposable {
   ~World() { Native.griffith_world_destroy(handle_); }
 }
 
-/// <summary>The functions of the library.</summary>
+/// <summary>Functions of the library.</summary>
 static unsafe class Native {
   const string Library = "griffith";  // libgriffith.so
 
@@ -266,7 +266,7 @@ static unsafe class Native {
     public fixed byte Remedy[512];
   }
 
-  // One a thread, made once: a call allocates nothing.
+  // One per thread, made once: a call allocates nothing.
   [ThreadStatic] static IntPtr error_;
 
   internal static IntPtr ClearError() {

@@ -1,8 +1,8 @@
-"""Simulates a scene inside Blender: a mesh object a piece, with key frames of its motion.
+"""Simulates a scene inside Blender: a mesh object for each piece, with key frames of its motion.
 
     blender --background --python examples/blender/simulate.py -- scenes/brick_wall.json 60 wall.blend
 
-The Python package is found as docs/python.md says. Blender has z upwards, Griffith y.
+The Python package is found as docs/python.md says. Blender has z up, Griffith y.
 """
 import sys
 
@@ -15,13 +15,13 @@ Z_UP = Matrix(((1, 0, 0), (0, 0, -1), (0, 1, 0))).to_4x4()
 
 
 def pose_of(frame, body):
-    """Returns where a piece is, as Blender's matrix."""
+    """Returns the pose of a piece as Blender's matrix."""
     x, y, z, w = frame.body_orientations[body]
     return Z_UP @ Matrix.Translation(Vector(frame.body_positions[body])) @ Quaternion((w, x, y, z)).to_matrix().to_4x4()
 
 
 def mesh_of(frame, body):
-    """Returns a mesh of what is seen of a piece in the piece's own frame; crack faces have the second material."""
+    """Returns the visible mesh of a piece in the piece's own frame; crack faces have the second material."""
     first, count = frame.surface_first_vertices[body], frame.surface_vertex_counts[body]
     start, triangles = frame.surface_first_triangles[body], frame.surface_triangle_counts[body]
     mesh = bpy.data.meshes.new(f"piece {body}")
@@ -37,24 +37,24 @@ def mesh_of(frame, body):
 
 
 def material(name, color):
-    """Returns the material of that name, made the first time."""
+    """Returns the material of that name, creating it if necessary."""
     found = bpy.data.materials.get(name) or bpy.data.materials.new(name)
     found.diffuse_color = color
     return found
 
 
-def key(thing, frame_number):
-    """Keeps where an object is at a frame."""
-    thing.keyframe_insert("location", frame=frame_number)
-    thing.keyframe_insert("rotation_quaternion", frame=frame_number)
+def key(object_, frame_number):
+    """Adds key frames of the pose of an object."""
+    object_.keyframe_insert("location", frame=frame_number)
+    object_.keyframe_insert("rotation_quaternion", frame=frame_number)
 
 
-def show_from(thing, frame_number):
-    """Shows an object from a frame on alone."""
+def show_from(object_, frame_number):
+    """Hides an object before a frame."""
     for hidden, at in ((True, 0), (False, frame_number)):
-        thing.hide_viewport = thing.hide_render = hidden
-        thing.keyframe_insert("hide_viewport", frame=at)
-        thing.keyframe_insert("hide_render", frame=at)
+        object_.hide_viewport = object_.hide_render = hidden
+        object_.keyframe_insert("hide_viewport", frame=at)
+        object_.keyframe_insert("hide_render", frame=at)
 
 
 def simulate(scene, steps):
@@ -69,7 +69,7 @@ def simulate(scene, steps):
         for body in range(len(counts)):
             if counts[body] == 0:
                 continue
-            if known.get(body) != counts[body]:  # cracks lay faces bare; the small deformations before are left out
+            if known.get(body) != counts[body]:  # the surface changes with cracks; small deformations before are omitted
                 if body in shown:
                     last = shown[body]
                     last.hide_viewport = last.hide_render = True
@@ -88,8 +88,8 @@ def simulate(scene, steps):
 
 def main():
     scene, steps, output = sys.argv[sys.argv.index("--") + 1 :]
-    for thing in list(bpy.data.objects):
-        bpy.data.objects.remove(thing)
+    for object_ in list(bpy.data.objects):
+        bpy.data.objects.remove(object_)
     pieces = simulate(scene, int(steps))
     bpy.ops.wm.save_as_mainfile(filepath=output)
     print(f"{pieces} pieces, {len(bpy.data.objects)} objects")

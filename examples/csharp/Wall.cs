@@ -1,4 +1,4 @@
-// A wall, a ball shot at it, and what came of it.
+// A wall, a ball shot at it, and the resulting pieces.
 using System;
 using Griffith;
 

@@ -1,17 +1,17 @@
-// A brick wall made of arrays, and a ball shot at it.
+// A brick wall made from arrays, and a ball shot at it.
 #include <griffith/sim/world/world.h>
 
 #include <cstdio>
 
 using namespace griffith;
 
-/// A box of 6 × 6 × 2 cells of half a metre, each cut into six tetrahedra about its diagonal.
+/// Makes a box of 6 × 6 × 2 cells of half a meter, each cut into six tetrahedra around its diagonal.
 TetSoup make_wall() {
   TetSoup wall;
   for (int z = 0; z <= 2; ++z)
     for (int y = 0; y <= 6; ++y)
       for (int x = 0; x <= 6; ++x) wall.points.push_back({0.5 * x - 1.5, 0.5 * y, 0.5 * z});
-  constexpr int kX = 1, kY = 7, kZ = 49;  // from a point to the next along each axis
+  constexpr int kX = 1, kY = 7, kZ = 49;  // index steps to the next point along each axis
   constexpr int kWays[6][2] = {{kX, kY}, {kY, kX}, {kX, kZ}, {kZ, kX}, {kY, kZ}, {kZ, kY}};
   for (int z = 0; z < 2; ++z)
     for (int y = 0; y < 6; ++y)
@@ -25,10 +25,10 @@ TetSoup make_wall() {
 
 int main() try {
   BodyDescription wall;
-  wall.shape = MeshFileShape{"wall"};  // the name of a mesh that World is given, or of a file
+  wall.shape = MeshFileShape{"wall"};  // name of a mesh in memory, or of a file
   wall.material.tensile_strength = 60e3;
   wall.material.fracture_toughness = 180e3;
-  wall.supports = {{HalfSpaceRegion{Vec3::Zero(), -Vec3::UnitY()}}};  // its foot: all points at y <= 0
+  wall.supports = {{HalfSpaceRegion{Vec3::Zero(), -Vec3::UnitY()}}};  // its base: all points at y <= 0
   Scene scene;
   scene.bodies = {wall};
   World world(scene, {{"wall", make_wall()}});

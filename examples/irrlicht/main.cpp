@@ -1,6 +1,6 @@
-// A scene of Griffith, live in a game engine: Irrlicht draws a mesh a piece.
+// A scene of Griffith in a game engine: Irrlicht draws one mesh for each piece.
 //
-//     irrlicht_wall SCENE [PICTURE STEPS]      with PICTURE: writes it after so many steps, and ends
+//     irrlicht_wall SCENE [PICTURE STEPS]      PICTURE: written after STEPS steps, then the program ends
 #include <griffith/griffith.h>
 #include <irrlicht.h>
 
@@ -54,14 +54,14 @@ struct Int3 {
 core::vector3df to_engine(const Double3& v) { return {f32(v.x), f32(v.y), -f32(v.z)}; }
 core::vector3df to_engine(const Float3& v) { return {v.x, v.y, -v.z}; }
 
-/// Angles of the mirrored rotation [degrees].
+/// Returns the angles of the mirrored rotation [degrees].
 core::vector3df to_engine(const Double4& q) {
   core::vector3df angles;
   core::quaternion(-f32(q.x), -f32(q.y), f32(q.z), f32(q.w)).toEuler(angles);
   return angles * core::RADTODEG;
 }
 
-/// The pieces of a world as nodes of a scene.
+/// Pieces of a world as nodes of an engine's scene.
 class Pieces {
  public:
   explicit Pieces(scene::ISceneManager& engine) : engine_(engine) {}
@@ -77,7 +77,7 @@ class Pieces {
     for (int i = 0; i < versions.size(); ++i) {
       if (versions_[i] != versions[i]) upload(world, i);
       versions_[i] = versions[i];
-      if (!nodes_[i]) continue;  // too small to own a splinter: nothing of it is seen
+      if (!nodes_[i]) continue;  // too small to own a splinter: invisible
       nodes_[i]->setPosition(to_engine(positions[i]));
       nodes_[i]->setRotation(to_engine(turns[i]));
     }
@@ -95,7 +95,7 @@ class Pieces {
     for (int t = first; t < first + count; ++t) {
       const video::SColor color = is_crack[t] ? video::SColor(255, 214, 150, 110) : video::SColor(255, 190, 90, 60);
       const Int3 triangle = triangles[t];
-      for (const int corner : {triangle.a, triangle.c, triangle.b}) {  // a mirror image turns the other way round
+      for (const int corner : {triangle.a, triangle.c, triangle.b}) {  // a mirror image has the opposite orientation
         buffer->getVertexBuffer().push_back(
             video::S3DVertex(to_engine(corners[vertex + corner]), to_engine(normals[vertex + corner]), color, {}));
         buffer->getIndexBuffer().push_back(buffer->getIndexBuffer().size());
@@ -118,7 +118,7 @@ class Pieces {
   std::vector<int> versions_;
 };
 
-/// The box round all nodes.
+/// Returns the bounding box of all nodes.
 core::aabbox3df bounds_of(const griffith_world* world) {
   const View<Double3> nodes(world, GRIFFITH_NODE_POSITIONS);
   core::aabbox3df bounds(nodes.size() > 0 ? to_engine(nodes[0]) : core::vector3df());
@@ -126,7 +126,7 @@ core::aabbox3df bounds_of(const griffith_world* world) {
   return bounds;
 }
 
-/// Looks at the box from the front, above and to the right.
+/// Adds a camera in front of the box, above and to the right, and a light.
 void add_camera_and_light(scene::ISceneManager& engine, const core::aabbox3df& bounds) {
   const f32 size = bounds.getExtent().getLength();
   engine.addCameraSceneNode(nullptr, bounds.getCenter() + size * core::vector3df(0.55f, 0.2f, -1), bounds.getCenter())
@@ -168,7 +168,7 @@ void run(const char* path, const char* picture, int steps) {
     const bool last = picture && step == steps;
     const video::SColor sky(255, 168, 188, 205);
     driver.beginScene(true, true, sky);
-    if (last) driver.setRenderTarget(canvas, true, true, sky);  // a window's pixels may be read by nobody
+    if (last) driver.setRenderTarget(canvas, true, true, sky);  // the pixels of a window may not be readable
     engine.drawAll();
     driver.endScene();
     if (!last) continue;

@@ -7,7 +7,7 @@ import griffith
 
 
 def plate(thickness):
-    """Returns a scene of a free plate of 1 m and a ball of 5 kg that flies at its middle."""
+    """Returns a scene of a free plate of 1 m and a ball of 5 kg flying at its center."""
     return griffith.Scene(
         {
             "gravity": [0, 0, 0],

@@ -1,4 +1,4 @@
-"""Eigenvectors of the separation tensors of a frame: in a bar that is pulled they lie along the bar."""
+"""Eigenvectors of the separation tensors of a frame: in a bar under tension they are parallel to it."""
 import numpy
 
 import griffith

@@ -1,4 +1,4 @@
-"""A data set of shots at a wall: where and how fast, and the pieces and cracks that came of it, in one .npz file."""
+"""A data set of shots at a wall: position and speed, resulting pieces and cracks, in one .npz file."""
 import sys
 
 import numpy

@@ -1,8 +1,8 @@
 /* Griffith from C: brittle fracture in real time.
  *
- * A scene is a value that describes bodies, materials, supports, loads and shots. A world is a scene in motion. Each
- * step of a world gives a frame: arrays of nodes, tetrahedra, bodies, cracks and contacts that this interface shows
- * without a copy.
+ * A scene is a value that describes bodies, materials, supports, loads and shots. A world is a simulation of a
+ * scene. Each step of a world gives a frame: arrays of nodes, tetrahedra, bodies, cracks and contacts, which this
+ * interface exposes without copies.
  *
  *     griffith_error error;
  *     griffith_scene* scene;
@@ -13,13 +13,13 @@
  *       fprintf(stderr, "%s: %s (%s)\n", error.where, error.problem, error.remedy);
  *
  * Units     SI throughout: m, kg, s, N, Pa, J. Angles are in radians.
- * Text      UTF-8, ended by a zero.
- * Errors    A function that can fail returns a status and, where `error` is not null, fills it. It then changes nothing
- *           that it was given. No C++ exception leaves the library.
- * Ownership What a function hands out through a `**` belongs to the caller, who gives it to the matching `_destroy`
- *           or `_free`, which accept null. Everything else belongs to the object that it came from.
- * Threads   Any number of scenes and worlds may exist. Each is used by one thread at a time; different ones by
- *           different threads at once. Results do not depend on the number of threads.
+ * Text      UTF-8, zero-terminated.
+ * Errors    A function that can fail returns a status and fills `error` unless it is null. It then leaves its arguments
+ *           unchanged. No C++ exception leaves the library.
+ * Ownership Objects returned through a `**` belong to the caller, who passes them to the matching `_destroy` or
+ *           `_free`, which accept null. Everything else belongs to the object from which it came.
+ * Threads   Any number of scenes and worlds may exist. Each may be used by one thread at a time,
+ *           different ones concurrently. Results do not depend on the number of threads.
  */
 #ifndef GRIFFITH_GRIFFITH_H
 #define GRIFFITH_GRIFFITH_H
@@ -52,18 +52,18 @@ GRIFFITH_API const char* griffith_version(void);
 typedef enum griffith_status {
   GRIFFITH_OK = 0,
   GRIFFITH_INVALID_ARGUMENT = 1, /* a null, an index out of range, an unknown name */
-  GRIFFITH_INPUT_ERROR = 2,      /* a scene, file or value that cannot be used; the error says where */
-  GRIFFITH_CANCELLED = 3,        /* the monitor asked for it */
+  GRIFFITH_INPUT_ERROR = 2,      /* a scene, file or value that cannot be used; the error names the place */
+  GRIFFITH_CANCELLED = 3,        /* by the monitor */
   GRIFFITH_OUT_OF_MEMORY = 4,
-  GRIFFITH_INTERNAL_ERROR = 5 /* a fault of the library: please report it */
+  GRIFFITH_INTERNAL_ERROR = 5 /* a bug of the library: please report it */
 } griffith_status;
 
-/* Where and why a call failed. Longer texts are cut and end with "…". */
+/* Place and reason of a failure. Longer texts are truncated and end with "…". */
 typedef struct griffith_error {
   int32_t status;     /* a griffith_status */
   char where[512];    /* the place: a file, file:line, file#/json/pointer, or the argument */
-  char problem[1024]; /* what is wrong there */
-  char remedy[512];   /* what would be right; may be empty */
+  char problem[1024]; /* description of the error */
+  char remedy[512];   /* correction; may be empty */
 } griffith_error;
 
 /* Returns the name of a status: "input error". Never null. */
@@ -84,17 +84,17 @@ GRIFFITH_API griffith_status griffith_scene_copy(const griffith_scene* scene, gr
                                                  griffith_error* error);
 GRIFFITH_API void griffith_scene_destroy(griffith_scene* scene);
 
-/* Gives the field at a JSON pointer (RFC 6901), "/bodies/0/material/young_modulus", another value, given as JSON text:
- * "3e10", "\"granite\"", "[0, 1, 0]". The scene stays as it was where the result would not be valid. */
+/* Sets the field at a JSON pointer (RFC 6901), "/bodies/0/material/young_modulus", to a value in JSON:
+ * "3e10", "\"granite\"", "[0, 1, 0]". The scene stays unchanged if the result would be invalid. */
 GRIFFITH_API griffith_status griffith_scene_set(griffith_scene* scene, const char* pointer, const char* json,
                                                 griffith_error* error);
-/* Returns the value at a JSON pointer as JSON text, defaults included; "" is the whole scene. To be given to
+/* Returns the value at a JSON pointer as JSON text, defaults included; "" is the whole scene. Pass it to
  * griffith_string_free(). */
 GRIFFITH_API griffith_status griffith_scene_get(const griffith_scene* scene, const char* pointer, char** json,
                                                 griffith_error* error);
-/* Adds a mesh in place of a file: a body whose shape is {"mesh": {"path": name}} has these tetrahedra.
- *   points  3 coordinates a point [m]
- *   tets    4 indices of points a tetrahedron, in either orientation
+/* Adds a mesh under the name of a file: a body whose shape is {"mesh": {"path": name}} has these tetrahedra.
+ *   points  3 coordinates per point [m]
+ *   tets    4 indices of points per tetrahedron, in either orientation
  * Both are copied. A mesh of the same name is replaced. */
 GRIFFITH_API griffith_status griffith_scene_set_mesh(griffith_scene* scene, const char* name, const double* points,
                                                      int64_t point_count, const int32_t* tets, int64_t tet_count,
@@ -103,35 +103,35 @@ GRIFFITH_API void griffith_string_free(char* text);
 
 /* --- Worlds ------------------------------------------------------------------------------------------------------- */
 
-/* A scene in motion. */
+/* A simulation of a scene. */
 typedef struct griffith_world griffith_world;
 
-/* Follows long work. Either function may be null. */
+/* Callbacks of long work. Either function may be null. */
 typedef struct griffith_monitor {
   void (*stage)(const char* name, void* context); /* called as each stage of the work begins: "Refining mesh" */
-  int32_t (*cancelled)(void* context);            /* not 0: give up. Called from any thread */
+  int32_t (*cancelled)(void* context);            /* not 0: cancel. Called from any thread */
   void* context;
 } griffith_monitor;
 
-/* Builds meshes and bodies. `monitor` may be null. The world keeps nothing of the scene. */
+/* Builds meshes and bodies. `monitor` may be null. The world does not refer to the scene afterwards. */
 GRIFFITH_API griffith_status griffith_world_create(const griffith_scene* scene, const griffith_monitor* monitor,
                                                    griffith_world** world, griffith_error* error);
-/* Copies a world as it is between two steps: a snapshot to come back to, or a branch. Both go on alike, to the bit. A
- * copy is not recorded. */
+/* Copies a world between two steps, as a snapshot or a branch. Both continue identically, to the bit. A copy is not
+ * recorded. */
 GRIFFITH_API griffith_status griffith_world_copy(const griffith_world* world, griffith_world** copy,
                                                  griffith_error* error);
-/* Takes a world back to a copy, which stays as it is. A recording of it ends. */
+/* Restores the state of a copy, which stays unchanged. Ends a recording of the world. */
 GRIFFITH_API griffith_status griffith_world_restore(griffith_world* world, const griffith_world* copy,
                                                     griffith_error* error);
 GRIFFITH_API void griffith_world_destroy(griffith_world* world);
 
-/* Advances by `count` (0 to 1,000,000) time steps of the scene. Arrays handed out before are void then. */
+/* Advances by `count` (0 to 1,000,000) time steps of the scene. Earlier arrays become invalid. */
 GRIFFITH_API griffith_status griffith_world_step(griffith_world* world, int32_t count, griffith_error* error);
 
-/* A sphere to be launched at once. */
+/* A sphere that is launched immediately. */
 typedef struct griffith_shot {
-  double position[3];  /* of its center [m], -1e6 to 1e6 */
-  double direction[3]; /* of flight, any length but 0, -1e6 to 1e6 */
+  double position[3];  /* center [m], -1e6 to 1e6 */
+  double direction[3]; /* flight direction, not zero, -1e6 to 1e6 */
   double speed;        /* [m/s], 0 to 1e5 */
   double mass;         /* [kg], 1e-6 to 1e9 */
   double radius;       /* [m], 1e-4 to 1e4 */
@@ -139,25 +139,25 @@ typedef struct griffith_shot {
 
 GRIFFITH_API griffith_status griffith_world_fire(griffith_world* world, const griffith_shot* shot,
                                                  griffith_error* error);
-/* Fires what an entry of a scene's "projectiles" describes, such as {"speed": 20, "count": 3}; its start counts from
- * now. */
+/* Fires an entry of a scene's "projectiles", such as {"speed": 20, "count": 3}; its start is relative to the current
+ * time. */
 GRIFFITH_API griffith_status griffith_world_fire_json(griffith_world* world, const char* json, griffith_error* error);
 /* Changes a field of the material of a scene's body in the running world: "young_modulus", "3e10". The pieces of the
  * body keep their velocities. */
 GRIFFITH_API griffith_status griffith_world_set_material(griffith_world* world, int32_t scene_body, const char* field,
                                                          const char* json, griffith_error* error);
 
-/* Returns the hash of all positions, velocities and topology; 0 for null. Equal states have equal hashes: that of
+/* Returns the hash of all positions, velocities and topology; 0 for null. Equal states have equal hashes, as in
  * `griffith simulate --stats`. */
 GRIFFITH_API uint64_t griffith_world_state_hash(const griffith_world* world);
 
-/* Records shots, changes of material and hashes from here on; before the first step. */
+/* Starts to record shots, changes of material and hashes; call it before the first step. */
 GRIFFITH_API griffith_status griffith_world_start_recording(griffith_world* world, griffith_error* error);
-/* Writes what was recorded, for `griffith replay`, `griffith render` and bug reports. */
+/* Writes the recording, for `griffith replay`, `griffith render` and bug reports. */
 GRIFFITH_API griffith_status griffith_world_save_recording(const griffith_world* world, const char* path,
                                                            griffith_error* error);
 
-/* Limits the threads that all worlds use, while it lives. Results do not depend on it. */
+/* Limit on the threads of all worlds, as long as it exists. Results do not depend on it. */
 typedef struct griffith_thread_limit griffith_thread_limit;
 GRIFFITH_API griffith_status griffith_thread_limit_create(int32_t threads, griffith_thread_limit** limit,
                                                           griffith_error* error);
@@ -172,7 +172,7 @@ typedef struct griffith_value_info {
   const char* meaning; /* a sentence */
 } griffith_value_info;
 
-/* Returns how many numbers a frame has: time, sums, the energy account and the counters of the last step. */
+/* Returns the number of numbers of a frame: time, sums, the energy account and the counters of the last step. */
 GRIFFITH_API int32_t griffith_value_count(void);
 /* Describes number `index`; null outside 0..griffith_value_count() - 1. */
 GRIFFITH_API const griffith_value_info* griffith_value_describe(int32_t index);
@@ -190,8 +190,8 @@ typedef enum griffith_type {
   GRIFFITH_UINT8 = 4 /* 1: true, 0: false, or bits */
 } griffith_type;
 
-/* Arrays by what they have one entry of. griffith_array_describe() gives their units and meanings. Indices of nodes,
- * tets and bodies are stable: nodes and bodies are only ever appended. -1 is none. */
+/* Arrays, grouped by the object of an entry. griffith_array_describe() gives their units and meanings. Indices of
+ * nodes, tets and bodies are stable: nodes and bodies are only ever appended. -1 is none. */
 typedef enum griffith_array_id {
   /* Per node. */
   GRIFFITH_NODE_POSITIONS = 0,      /* float64[3], m */
@@ -200,7 +200,7 @@ typedef enum griffith_array_id {
   GRIFFITH_NODE_MASSES,             /* float64, kg */
   GRIFFITH_NODE_UTILIZATION,        /* float64, load over resistance; the node separates above 1 */
   GRIFFITH_NODE_SEPARATION_TENSORS, /* float64[3][3], N, symmetric */
-  GRIFFITH_NODE_SEPARATION_NORMALS, /* float64[3], unit normal of the plane across which the node would part */
+  GRIFFITH_NODE_SEPARATION_NORMALS, /* float64[3], unit normal of the plane across which the node would separate */
   GRIFFITH_NODE_SEPARATION_STRESS,  /* float64, Pa */
   GRIFFITH_NODE_RESISTANCE,         /* float64, Pa, or N with the force criterion */
   GRIFFITH_NODE_REACTIONS,          /* float64[3], N, of supports */
@@ -208,16 +208,16 @@ typedef enum griffith_array_id {
   GRIFFITH_NODE_AT_CRACK_FRONT,     /* uint8 */
   /* Per tetrahedron. */
   GRIFFITH_TET_NODES,      /* int32[4] */
-  GRIFFITH_TET_NEIGHBORS,  /* int32[4], the tetrahedron behind the face opposite each node; -1 on the surface */
+  GRIFFITH_TET_NEIGHBORS,  /* int32[4], the tetrahedron beyond the face opposite each node; -1 on the surface */
   GRIFFITH_TET_BODIES,     /* int32 */
   GRIFFITH_TET_STRESS,     /* float64[3][3], Pa, Cauchy stress, symmetric */
   /* Per body: a connected piece. */
   GRIFFITH_BODY_POSITIONS,          /* float64[3], m, of the center of mass */
-  GRIFFITH_BODY_ORIENTATIONS,       /* float64[4], unit quaternion x, y, z, w, from the shape that it began with */
+  GRIFFITH_BODY_ORIENTATIONS,       /* float64[4], unit quaternion x, y, z, w, relative to its initial shape */
   GRIFFITH_BODY_VELOCITIES,         /* float64[3], m/s */
   GRIFFITH_BODY_ANGULAR_VELOCITIES, /* float64[3], rad/s */
   GRIFFITH_BODY_MASSES,             /* float64, kg */
-  GRIFFITH_BODY_PARENTS,            /* int32, the body that it broke off; -1 for an original */
+  GRIFFITH_BODY_PARENTS,            /* int32, the body from which it broke off; -1 for an original */
   GRIFFITH_BODY_SCENE_BODIES,       /* int32, index into the scene's bodies */
   GRIFFITH_BODY_IS_RIGID,           /* uint8 */
   GRIFFITH_BODY_IS_ASLEEP,          /* uint8 */
@@ -247,7 +247,7 @@ typedef enum griffith_array_id {
   GRIFFITH_SURFACE_POSITIONS,       /* float32[3], m, per vertex in the frame of its piece */
   GRIFFITH_SURFACE_NORMALS,         /* float32[3], unit, per vertex in the frame of its piece */
   GRIFFITH_SURFACE_TRIANGLES,       /* int32[3], counted from the piece's first vertex, counterclockwise from outside */
-  GRIFFITH_SURFACE_IS_CRACK,        /* uint8, 1 where the triangle is a crack face, per triangle */
+  GRIFFITH_SURFACE_IS_CRACK,        /* uint8, 1 for a crack face, per triangle */
   GRIFFITH_SURFACE_FIRST_VERTICES,  /* int32, per body */
   GRIFFITH_SURFACE_VERTEX_COUNTS,   /* int32, per body */
   GRIFFITH_SURFACE_FIRST_TRIANGLES, /* int32, per body */
@@ -269,38 +269,37 @@ GRIFFITH_API const griffith_array_info* griffith_array_describe(int32_t array);
 /* A view of the library's own memory, valid until the next call that changes the world. Entry i begins at
  * (const char*)data + i * stride. */
 typedef struct griffith_array {
-  const void* data;    /* may be null where count is 0 */
+  const void* data;    /* may be null if count is 0 */
   int64_t count;       /* entries */
   int64_t stride;      /* bytes from one entry to the next */
   int32_t type;        /* a griffith_type */
-  int32_t dimensions;  /* of an entry: 0 a number, 1 a vector, 2 a matrix */
+  int32_t dimensions;  /* rank of an entry: 0 a number, 1 a vector, 2 a matrix */
   int32_t shape[2];    /* lengths of these dimensions, else 1 */
 } griffith_array;
 
-/* Gives a view of an array. */
+/* Returns a view of an array. */
 GRIFFITH_API griffith_status griffith_world_array(const griffith_world* world, int32_t array, griffith_array* view,
                                                   griffith_error* error);
 
-/* Brings the surfaces to draw up to date: of each body its outside and its crack faces, or its splinters where it has
- * them, in the body's own frame. To draw a vertex, turn it by the body's orientation and add its position. Vertices of
- * a piece change when it cracks and while it deforms; its version tells. Views of surfaces handed out before are void
- * then. */
+/* Updates the surfaces to draw: outside and crack faces of each body, or its splinters if it has any, in the body's own
+ * frame. To draw a vertex, rotate it by the body's orientation and add its position. Vertices of a piece change when it
+ * cracks or deforms, and its version changes with them. Earlier views of surfaces become invalid. */
 GRIFFITH_API griffith_status griffith_world_update_surfaces(griffith_world* world, griffith_error* error);
 
 /* --- Pictures ----------------------------------------------------------------------------------------------------- */
 
-/* Draws pictures of a world through EGL, without a window: what `griffith render` draws. Used by the thread that made
- * it. */
+/* Renderer of pictures of a world through EGL, without a window, as in `griffith render`. Use it in the thread that
+ * made it. */
 typedef struct griffith_painter griffith_painter;
 
-/* Prepares pictures of `width` by `height` pixels (16 to 8192) of a world in which nothing has broken yet.
+/* Prepares pictures of `width` by `height` pixels (16 to 8192) of a world before any fracture.
  *   camera  a camera of the scene; null or "": the first
- *   view    a view as of `griffith render --view`, "utilization+fracture_planes"; null or "": the scene's
- * Fails where the library was built without the renderer, and where there is no graphics driver. */
+ *   view    a view as for `griffith render --view`, "utilization+fracture_planes"; null or "": the scene's
+ * Fails if the library was built without the renderer, or without a graphics driver. */
 GRIFFITH_API griffith_status griffith_painter_create(const griffith_world* world, int32_t width, int32_t height,
                                                      const char* camera, const char* view, griffith_painter** painter,
                                                      griffith_error* error);
-/* Draws the world as it is now: the one that the painter was made for, or a copy of it. Gives the pixels: one entry a
+/* Draws the current state of the painter's world or a copy of it. Returns the pixels: one entry per
  * row, from the top, uint8[width][4], red, green, blue and opacity; valid until the painter's next call. */
 GRIFFITH_API griffith_status griffith_painter_paint(griffith_painter* painter, const griffith_world* world,
                                                     griffith_array* pixels, griffith_error* error);

@@ -1,4 +1,4 @@
-// The mean colour of all transparent things at a pixel; alpha is what the background keeps.
+// Mean color of all transparent objects at a pixel; alpha is the remaining fraction of the background.
 uniform sampler2D color_sums, weight_sums;
 layout(location = 0) out vec4 pixel_color;
 

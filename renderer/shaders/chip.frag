@@ -2,7 +2,7 @@ flat in int id;
 layout(location = 0) out vec4 pixel_color;
 layout(location = 1) out int pixel_id;
 
-// Alpha is the pixel's coverage at the outline, where the way through ends.
+// Alpha is the pixel's coverage at the outline.
 void main() {
   vec3 direction = -towards_eye(position), normal;
   float enter;

@@ -1,11 +1,11 @@
-// Crumbs: what pairs of parallel planes leave of a ball. How they are turned and how far apart they are hangs on the
-// colour, of which no two crumbs have the same.
+// Crumbs: balls cut by pairs of parallel planes. Orientation and spacing of the planes follow from the color, which is
+// different for each crumb.
 in vec3 position;
 flat in vec3 center;
 flat in float radius;
 flat in vec3 color;
 
-// The next three numbers from 0 to 1.
+// Returns the next three pseudo-random numbers in 0..1.
 vec3 chance(inout uint state) {
   state = (state ^ (state >> 16)) * 0x7feb352du;
   state = (state ^ (state >> 15)) * 0x846ca68bu;
@@ -13,8 +13,8 @@ vec3 chance(inout uint state) {
   return vec3(state & 1023u, (state >> 10) & 1023u, (state >> 20) & 1023u) / 1023.0;
 }
 
-// How far a ray goes through the chip [m], below 0 where it misses it, where it enters and across which plane. `offset`:
-// of a point of the ray from the centre; `direction`: unit length.
+// Returns the length of a ray within the chip [m], below 0 if it misses it, and its entry point and plane. `offset`: of
+// a point of the ray from the center; `direction`: unit length.
 float way_through(vec3 offset, vec3 direction, out float enter, out vec3 normal) {
   const int kPairs = 4;
   float along = dot(offset, direction), square = radius * radius - dot(offset, offset) + along * along;

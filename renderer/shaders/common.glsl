@@ -2,11 +2,11 @@
 layout(std140) uniform View {
   mat4 view_projection;
   mat4 shadow_matrix;  // world to shadow map, [0, 1]³
-  vec4 eye;            // homogeneous: a place (w = 1), or the direction towards the eye of a parallel projection (w = 0)
-  vec4 light;          // unit vector towards the light; w: size of a shadow texel [m]
+  vec4 eye;  // homogeneous: a point (w = 1), or the direction toward the eye of a parallel projection (w = 0)
+  vec4 light;  // unit vector toward the light; w: size of a shadow texel [m]
   vec4 viewport;       // width, height [pixels]; z: samples per pixel
-  vec4 visible;        // surfaces are drawn where dot(visible.xyz, position) <= visible.w
-  vec4 effects;        // x: width of penumbras over distance; y: samples of them; z: 1 with clear matter
+  vec4 visible;  // surfaces are drawn if dot(visible.xyz, position) <= visible.w
+  vec4 effects;  // x: width of penumbras over distance; y: their samples; z: 1 for transparent materials
 };
 
 vec3 towards_eye(vec3 position) { return normalize(eye.xyz - position * eye.w); }

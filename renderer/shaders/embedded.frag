@@ -2,7 +2,7 @@ const float kHalf = 0.5;
 
 uniform samplerBuffer scalars, colors, materials;
 uniform int selected_tet;
-#ifdef NATURAL  // materials in plain light and nothing else
+#ifdef NATURAL  // materials in plain light only
 const int scalar_kind = 0;
 const bool has_piece_colors = false, draw_edges = false, unlit = false, checker = false;
 #else
@@ -10,7 +10,7 @@ uniform int scalar_kind;
 uniform bool has_piece_colors, draw_edges, unlit, checker;
 #endif
 in vec3 position;
-centroid in vec3 covered;  // a place in the part of the pixel that the polygon covers
+centroid in vec3 covered;  // a point in the part of the pixel covered by the polygon
 in vec3 smooth_normal;
 in vec2 uv;
 in vec3 rest;
@@ -23,7 +23,7 @@ uniform float opacity;
 float material(int index) { return texelFetch(materials, 14 * (labels.w & 0xffff) + index).r; }
 
 #ifdef GRAIN
-// A slope in rest coordinates as it is on the polygon that is seen, whichever way that has turned.
+// Transforms a slope in rest coordinates to the rotated polygon.
 vec3 carried_slope(vec3 slope) {
   vec3 x = dFdx(position), y = dFdy(position), normal = flat_normal(position);
   vec3 across = cross(y, normal);
@@ -37,9 +37,9 @@ vec3 carried_slope(vec3 slope) {
 Matter matter_here(int octaves) { return Matter(vec3(1.0), vec3(0.0)); }
 #else
 #ifdef GRAIN
-// Grain is seen as far as pixels hold it in their narrow direction: along the other one, which is long on faces that are
-// seen aslant, the mean of several places is taken (as textures are filtered: Heckbert 1989).
-Matter with_grain(Matter matter, vec3 fibre, vec4 n) {
+// Grain is visible if pixels resolve it in their narrow direction. Along the long direction of faces seen at a grazing
+// angle, several points are averaged (anisotropic filtering: Heckbert 1989).
+Matter with_grain(Matter matter, vec3 fiber, vec4 n) {
   const float kMost = 6.0;
   vec3 x = dFdx(rest), y = dFdy(rest);
   vec3 along = dot(x, x) > dot(y, y) ? x : y;
@@ -49,7 +49,7 @@ Matter with_grain(Matter matter, vec3 fibre, vec4 n) {
   for (float i = 0.0; i < places; ++i) {
     Matter one = matter;
     vec3 place = rest + ((i + 0.5) / places - 0.5) * along;
-    add_grain(one, int(material(11)), place, material(12), fibre, max(across, length_along / places), n);
+    add_grain(one, int(material(11)), place, material(12), fiber, max(across, length_along / places), n);
     sum.tint += one.tint;
     sum.slope += one.slope;
   }
@@ -57,10 +57,10 @@ Matter with_grain(Matter matter, vec3 fibre, vec4 n) {
 }
 #endif
 
-// `octaves` of noise: 2, 0 where a value is shown.
+// `octaves` of noise: 2, or 0 if a value is shown.
 Matter matter_here(int octaves) {
-  vec3 fibre = vec3(material(7), material(8), material(9));
-  vec3 place = (rest - fibre * dot(fibre, rest)) / material(6);
+  vec3 fiber = vec3(material(7), material(8), material(9));
+  vec3 place = (rest - fiber * dot(fiber, rest)) / material(6);
   float width = 0.7 * length(fwidth(place));
   vec4 n = vec4(0.0);
   for (int i = 0; i < octaves; ++i) {
@@ -69,7 +69,7 @@ Matter matter_here(int octaves) {
   }
   Matter matter = Matter(vec3(1.0 + material(4) * n.w), 2.0 * material(5) * n.xyz);
 #ifdef GRAIN
-  matter = with_grain(matter, fibre, n);
+  matter = with_grain(matter, fiber, n);
   matter.slope = carried_slope(matter.slope);
 #endif
   return matter;
@@ -96,7 +96,7 @@ float face_edge() {
   return edge_coverage(barycentric, vec3(1.0));
 }
 
-// On the side that is seen.
+// Returns the normal on the visible side.
 vec3 normal_here() {
   vec3 facet = flat_normal(position);
   if (dot(smooth_normal, smooth_normal) < 0.25) return facet;
@@ -104,7 +104,7 @@ vec3 normal_here() {
   return dot(normal, facet) < 0.0 ? -normal : normal;
 }
 
-// Squares of a sixteenth of the texture, smoothed where a pixel holds several.
+// Squares of a sixteenth of the texture, antialiased if a pixel contains several.
 vec3 checked(vec3 color) {
   vec2 place = 16.0 * uv;
   vec2 width = max(fwidth(place), 1e-4);

@@ -5,12 +5,12 @@ layout(location = 0) in vec3 corner_rest;
 layout(location = 1) in vec4 weights;
 layout(location = 2) in vec4 other_weights;
 layout(location = 3) in ivec4 corner_labels;  // tet, part, piece, style
-layout(location = 4) in vec4 normal_products;  // with the edges of the tet, before anything moved
+layout(location = 4) in vec4 normal_products;  // products with the edges of the tet at rest
 layout(location = 5) in vec4 other_normal_products;
 layout(location = 6) in vec2 corner_uv;
 out vec3 position;
 centroid out vec3 covered;
-out vec3 smooth_normal;  // of length 0: none
+out vec3 smooth_normal;  // zero: none
 out vec2 uv;
 out vec3 rest;
 out vec4 own_weights;
@@ -23,7 +23,7 @@ vec3 point_at(int index) {
   return vec3(texelFetch(points, 3 * index).r, texelFetch(points, 3 * index + 1).r, texelFetch(points, 3 * index + 2).r);
 }
 
-// A normal moves with the cofactors of the deformation gradient: where planes go, not where points go.
+// Transforms a normal with the cofactors of the deformation gradient.
 vec3 carried_normal(vec3 products, vec3 places[4]) {
   if (products == vec3(0.0)) return vec3(0.0);
   vec3 a = places[1] - places[0], b = places[2] - places[0], c = places[3] - places[0];

@@ -1,10 +1,10 @@
-// What clear matter does to light, as sums that need no order: optical depth adds up along the line of sight (Beer and
-// Lambert), as do shares of reflected light where they are small. glass_blend.frag makes the picture of them.
-const float kMatShare = 1.4;  // of light from the rough of a crack
-const float kCaught = 0.6;     // of the lamp's light, at the edges of a pane
+// Transparent materials as sums that need no order: optical depth adds up along the line of sight (Beer-Lambert law),
+// and so do small fractions of reflected light. glass_blend.frag makes the picture.
+const float kMatShare = 1.4;  // fraction of light from the rough faces of a crack
+const float kCaught = 0.6;  // fraction of the lamp's light at the edges of a pane
 
-layout(location = 0) out vec4 depth_sum;  // rgb: optical depth from each face on, left faces negative; a: reflected shares
-layout(location = 1) out vec4 light_sum;  // rgb: reflected light; a: 1 for each face that is seen
+layout(location = 0) out vec4 depth_sum;  // rgb: optical depth from each face on, negative for left faces; a: reflected fractions
+layout(location = 1) out vec4 light_sum;  // rgb: reflected light; a: 1 for each visible face
 layout(location = 2) out vec4 face_sum;   // xy: slopes of the faces, across the line of sight; z: -1 for an entered face,
                                           // 1 for one that is left, seen or not; w: from each face to what is opaque [m]
 
@@ -14,12 +14,12 @@ vec3 mirrored_light(vec3 direction) {
   return sky_light(direction) + 6.0 * pow(max(dot(direction, light.xyz), 0.0), 300.0);
 }
 
-// Distances count from what is opaque behind the faces: what lies beyond it, beside it or within it adds up to nothing,
-// whichever of its faces are hidden. A face through which a look leaves onto what it touches mirrors nothing, as which of
-// the two is before the other is chance. `color`: of light that has come `clear_depth` far [m] through the matter; `covered`: a place in the part of the pixel
-// that the face covers.
+// Distances count from the opaque object behind the faces: transparent parts beyond, beside or within it add up to
+// nothing, whichever of their faces are hidden. A face that touches the object behind it reflects nothing, since the
+// order of the two is arbitrary. `color`: of light after a distance `clear_depth` [m] in the material; `covered`: a
+// point in the part of the pixel covered by the face.
 void emit_glass(vec3 color, float clear_depth, vec3 covered, vec3 position, vec3 normal, bool rough) {
-  const float kTouching = 5e-3;  // in distances from the eye: far more than depths are rounded by
+  const float kTouching = 5e-3;  // in distances from the eye: far above the rounding of depths
   vec3 ray = -towards_eye(position);
   float away = length(eye.xyz - covered);
   float beyond = max(texelFetch(opaque_distance, ivec2(gl_FragCoord.xy), 0).r - away, 0.0);
@@ -27,7 +27,7 @@ void emit_glass(vec3 color, float clear_depth, vec3 covered, vec3 position, vec3
   vec3 absorption = -log(max(linear_from_srgb(color), 1e-3)) / clear_depth;
   float share = mirrored_share(normal, ray);
   vec3 mirrored = mirrored_light(reflect(ray, normal));
-  if (rough) {  // light that was caught within the pane leaves it here, whichever way the face is turned
+  if (rough) {  // light trapped in the pane leaves it here, in any direction
     vec3 caught = linear_from_srgb(sqrt(sqrt(color))) * (kSkyLight + kCaught * kLampLight);
     mirrored = mix(mirrored, caught, 0.8);
     share = max(share, kMatShare);

@@ -1,5 +1,6 @@
-// What is seen through clear matter, and what it mirrors. Background is looked up a little aside, as refraction has it.
-const float kBend = 0.012;  // of a look through a slanted face, in heights of the picture
+// View through transparent materials, and their reflections. The background is sampled at an offset, to mimic
+// refraction.
+const float kBend = 0.012;  // of a ray through a slanted face, in heights of the picture
 
 uniform sampler2D opaque_picture, opaque_distance, depth_sums, light_sums, face_sums;
 layout(location = 0) out vec4 pixel_color;
@@ -8,8 +9,8 @@ ivec2 neighbour(ivec2 pixel, int i) {
   return clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0), textureSize(light_sums, 0) - 1);
 }
 
-// Optical depth of a pixel. A seam between two polygons lets some pixels miss a face. Then neighbours tell, where they
-// have all; what has none absorbs nothing.
+// Returns the optical depth of a pixel. At a seam between two polygons some pixels miss a face. Neighbors with complete
+// faces are then used; without any, nothing is absorbed.
 vec3 optical_depth(ivec2 pixel, vec3 depth, float unpaired) {
   if (unpaired == 0.0) return max(depth, 0.0);
   vec4 sum = vec4(0.0);
@@ -21,7 +22,7 @@ vec3 optical_depth(ivec2 pixel, vec3 depth, float unpaired) {
   return sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.0);
 }
 
-// Whether something stands before the clear matter, which is `away` far [m], at a place or right beside it.
+// True if an opaque object at or next to a pixel is in front of the transparent material at distance `away` [m].
 bool stands_before(ivec2 place, float away) {
   bool found = false;
   for (int i = 0; i < 9; ++i) {
@@ -31,8 +32,8 @@ bool stands_before(ivec2 place, float away) {
   return found;
 }
 
-// How far aside the background is seen, in shares of the picture: no further than it lies behind the faces, as rays are
-// bent by less than 45 degrees, and not where something stands before them.
+// Returns the offset at which the background is sampled, in fractions of the picture: at most its distance behind the
+// faces, since rays are refracted by less than 45 degrees, and zero if something is in front of them.
 vec2 bend(ivec2 pixel, vec2 size, vec4 face_sum, float faces) {
   float opaque_away = texelFetch(opaque_distance, pixel, 0).r, beyond = face_sum.w / faces;
   vec3 up = vec3(view_projection[0][1], view_projection[1][1], view_projection[2][1]);

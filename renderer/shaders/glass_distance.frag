@@ -1,4 +1,4 @@
-// How far from the eye what is opaque is at each pixel [m].
+// Distance from the eye to opaque objects at each pixel [m].
 uniform sampler2D opaque_depth;
 uniform mat4 world_from_clip;
 layout(location = 0) out float opaque_away;

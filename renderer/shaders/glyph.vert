@@ -15,7 +15,7 @@ flat out int id;
 
 void main() {
   position = center + corner.x * axis_x + corner.y * axis_y + corner.z * axis_z;
-  // The cofactor matrix carries normals, even where an axis has no length.
+  // The cofactor matrix transforms normals even if an axis has no length.
   normal = corner_normal.x * cross(axis_y, axis_z) + corner_normal.y * cross(axis_z, axis_x) +
            corner_normal.z * cross(axis_x, axis_y);
   color = glyph_color;

@@ -1,10 +1,10 @@
-// What a crack lays bare: patterns in a body's own coordinates, so that they stick to it and go on from piece to piece.
-// What is smaller than a pixel fades to the mean.
+// Fracture surfaces: patterns in a body's own coordinates, so that they move with it and continue from piece to piece.
+// Details smaller than a pixel fade to the mean.
 const int kStones = 1, kClay = 2, kSand = 3, kCrystals = 4, kFacets = 5, kVeins = 6, kRings = 7;  // Grain
 
 struct Matter {
-  vec3 tint;   // times the material's colour
-  vec3 slope;  // by which the normal is turned
+  vec3 tint;  // factor on the material's color
+  vec3 slope;  // perturbation of the normal
 };
 
 uint hash(ivec3 place) {
@@ -19,7 +19,7 @@ vec4 lattice_value(ivec3 place) {
   return vec4(n & 255u, (n >> 8) & 255u, (n >> 16) & 255u, n >> 24) / 255.0 - 0.5;
 }
 
-// Four smooth random values at a place, each from -1/2 to 1/2.
+// Returns four smooth random values at a point, each in -1/2..1/2.
 vec4 noise(vec3 place) {
   ivec3 cell = ivec3(floor(place));
   vec3 t = place - floor(place);
@@ -33,15 +33,15 @@ vec4 noise(vec3 place) {
   return sum;
 }
 
-// How much is seen of a pattern of which a pixel holds `pixel` cells.
+// Returns the visibility of a pattern with `pixel` cells per pixel.
 float seen(float pixel) { return 1.0 - smoothstep(0.25, 0.8, pixel); }
 
 #ifdef GRAIN
-// Turns lattices against faces and against each other, so that no face shows one.
+// Rotates lattices against faces and each other, so that no face shows one.
 const mat3 kTurn = mat3(0.36, 0.48, -0.80, -0.80, 0.60, 0.0, 0.48, 0.64, 0.60);
 
-// Round stones of three sizes, one a cell, the large before the small. `fill`: the radius of the largest, up to 1/2;
-// `tones`: how far colours part, by channel; `pit`: the tone below which there is a pore in place of a stone.
+// Round stones of three sizes, one per cell, large before small. `fill`: radius of the largest, up to 1/2; `tones`:
+// variation of colors by channel; `pit`: tone below which there is a pore instead of a stone.
 void lay_stones(inout Matter matter, vec3 place, float pixel, vec4 warp, float fill, vec3 tones, float pit) {
   for (int size = 0; size < 3; ++size) {
     float scale = size == 0 ? 4.3 : size == 1 ? 2.1 : 1.0;
@@ -60,8 +60,8 @@ void lay_stones(inout Matter matter, vec3 place, float pixel, vec4 warp, float f
   }
 }
 
-// Grains that fill space: the cells of points (Worley 1996). One in four is dark. `contrast`: of their colours;
-// `tilt`: of their faces, as a slope.
+// Space-filling grains: cells of points (Worley 1996). One in four is dark. `contrast`: of their colors; `tilt`: of
+// their faces, as a slope.
 void grow_crystals(inout Matter matter, vec3 place, float pixel, float contrast, float tilt) {
   ivec3 first = ivec3(floor(place - 0.5));
   vec4 nearest = vec4(0.0), second = vec4(0.0);
@@ -88,7 +88,7 @@ void grow_crystals(inout Matter matter, vec3 place, float pixel, float contrast,
   matter.slope += tilt * seen(pixel) * grain.xyz;
 }
 
-// Sheets through matter, where smooth noise changes its sign, here wide and there gone.
+// Veins along the zero set of smooth noise, with varying width.
 void draw_veins(inout Matter matter, vec3 place, float pixel) {
   vec4 large = noise(place), small = noise(2.7 * place + 5.0);
   float away = abs(large.x + 0.45 * small.x), width = 0.012 + 0.06 * max(large.y + 0.5 * small.y, 0.0);
@@ -96,19 +96,19 @@ void draw_veins(inout Matter matter, vec3 place, float pixel) {
   matter.tint *= (1.0 + seen(pixel) * (0.03 + 0.10 * large.z)) * (1.0 - vein * vec3(0.42, 0.40, 0.36));
 }
 
-// Growth rings round a pith far off, darker towards their ends, with fibres. `fibre`: along the grain, unit length.
-void grow_rings(inout Matter matter, vec3 place, vec3 fibre, float pixel) {
-  vec3 across = place - 0.96 * fibre * dot(fibre, place);
-  vec4 fibres = noise(4.0 * across);
-  float rings = length(place - fibre * dot(fibre, place) + vec3(5.3, 3.1, 6.7)) + 0.5 * noise(0.35 * across).x;
+// Growth rings around a distant pith, darker toward their ends, with fibers. `fiber`: along the grain, unit length.
+void grow_rings(inout Matter matter, vec3 place, vec3 fiber, float pixel) {
+  vec3 across = place - 0.96 * fiber * dot(fiber, place);
+  vec4 fibers = noise(4.0 * across);
+  float rings = length(place - fiber * dot(fiber, place) + vec3(5.3, 3.1, 6.7)) + 0.5 * noise(0.35 * across).x;
   float t = fract(rings);
   float late = smoothstep(0.25, 0.9, t) * (1.0 - smoothstep(0.94, 1.0, t)) - 0.37;
-  matter.tint *= 1.0 - late * seen(pixel) * vec3(0.30, 0.40, 0.50) + 0.45 * seen(2.0 * pixel) * fibres.w;
-  matter.slope += 1.2 * seen(2.0 * pixel) * (fibres.xyz - fibre * dot(fibre, fibres.xyz));
+  matter.tint *= 1.0 - late * seen(pixel) * vec3(0.30, 0.40, 0.50) + 0.45 * seen(2.0 * pixel) * fibers.w;
+  matter.slope += 1.2 * seen(2.0 * pixel) * (fibers.xyz - fiber * dot(fiber, fibers.xyz));
 }
 
-// `rest`: the place [m]; `size`: of the grain [m]; `pixel`: width of a pixel [m].
-void add_grain(inout Matter matter, int kind, vec3 rest, float size, vec3 fibre, float pixel, vec4 warp) {
+// `rest`: the point [m]; `size`: of the grain [m]; `pixel`: width of a pixel [m].
+void add_grain(inout Matter matter, int kind, vec3 rest, float size, vec3 fiber, float pixel, vec4 warp) {
   vec3 place = kTurn * rest / size;
   pixel /= size;
   if (kind == kStones) lay_stones(matter, place, pixel, warp, 0.47, vec3(0.62, 0.56, 0.48), -0.5);
@@ -120,6 +120,6 @@ void add_grain(inout Matter matter, int kind, vec3 rest, float size, vec3 fibre,
     grow_crystals(matter, 5.0 * place, 5.0 * pixel, 0.12, 0.5);
     draw_veins(matter, 0.35 * place, 0.35 * pixel);
   }
-  if (kind == kRings) grow_rings(matter, rest / size, normalize(fibre + vec3(1e-6, 0.0, 0.0)), pixel);
+  if (kind == kRings) grow_rings(matter, rest / size, normalize(fiber + vec3(1e-6, 0.0, 0.0)), pixel);
 }
 #endif

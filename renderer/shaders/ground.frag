@@ -1,11 +1,12 @@
 uniform vec3 center, color;
 uniform float radius, grid_spacing;  // [m]
-uniform float grid_fade;  // of the finest lines, 0..1: the next become the finest at 1
+uniform float grid_fade;  // fade of the finest lines, 0..1: at 1 the next ones take their place
 uniform float opacity;
 in vec3 position;
 layout(location = 0) out vec4 pixel_color;
 
-// 1 on the lines of a square grid of unit spacing, one pixel wide; fades out before lines crowd into moiré.
+// Returns 1 on the lines of a square grid of unit spacing, one pixel wide; fades out before dense lines form moiré
+// patterns.
 float grid(vec2 place) {
   vec2 dx = dFdx(place), dy = dFdy(place);
   vec2 per_pixel = max(sqrt(dx * dx + dy * dy), 1e-6);

@@ -1,21 +1,21 @@
-// What light falls on a point; all fragment shaders have it. Software GL goes both ways of a branch, but through loops
-// only as often as some pixel asks: what a scene does without are loops of no rounds. With PLAIN_LIGHT, a draft's, there
-// is one lamp with hard shadows, and light has no colour.
+// Light at a point, for all fragment shaders. Software GL executes both sides of a branch, but loops only as often as
+// some pixel needs: unused effects are loops of zero iterations. With PLAIN_LIGHT, for drafts, there is one lamp with
+// hard shadows, and light has no color.
 const vec3 kSkyLight = vec3(0.43, 0.48, 0.55), kGroundLight = vec3(0.30, 0.28, 0.25), kLampLight = vec3(0.73, 0.70, 0.64);
 const float kNarrowest = 8e-4, kWidest = 0.03;  // penumbras, in widths of the shadow map
 
-uniform vec3 sky_top, sky_bottom;  // the background's colours
+uniform vec3 sky_top, sky_bottom;  // colors of the background
 uniform sampler2DShadow shadow_map;
 uniform sampler2DShadow clear_shadow_map;
-uniform sampler2D shadow_depth;   // the depths in shadow_map
+uniform sampler2D shadow_depth;  // depths in shadow_map
 uniform sampler2D occlusion_map;  // openness to the sky, distance from the eye
 
-// Moving off the surface avoids self-shadowing.
+// An offset from the surface avoids self-shadowing.
 vec3 place_in_shadow_map(vec3 position, vec3 normal) {
   return (shadow_matrix * vec4(position + 2.0 * light.w * normal, 1.0)).xyz;
 }
 
-// Light from a bright sky, a dimmer ground and one lamp; about 1 for a face turned to the lamp.
+// Light from a bright sky, a dimmer ground and one lamp; about 1 for a face toward the lamp.
 float illumination(vec3 normal, float visibility) {
   float sky = mix(0.27, 0.47, 0.5 + 0.5 * normal.y);
   return sky + 0.68 * max(dot(normal, light.xyz), 0.0) * visibility;
@@ -28,34 +28,35 @@ float ambient_openness(vec3 position) { return 1.0; }
 
 vec3 colored_illumination(vec3 normal, float visibility, float openness) { return vec3(illumination(normal, visibility)); }
 
-// Colour that is seen of a colour in light, both as encoded: sRGB is nearly a power, and one is enough.
+// Reflects light, both encoded: sRGB is nearly a power, and one power is enough.
 vec3 reflected(vec3 color, vec3 light_here) { return min(color * pow(light_here.x, 1.0 / 2.2), 1.0); }
 #else
-// One of `count` points that cover the unit disc evenly (Vogel 1979).
+// Returns one of `count` points that cover the unit disc evenly (Vogel 1979).
 vec2 disc_point(int i, int count) {
   float angle = 2.3999632 * float(i);
   return sqrt((float(i) + 0.5) / float(count)) * vec2(cos(angle), sin(angle));
 }
 
-// Turns the points by another angle in each pixel (Jimenez 2014, "Next generation post processing in Call of Duty"), so
-// that few of them leave fine grain in place of copies of an edge.
+// Rotates the points by a different angle in each pixel (Jimenez 2014, "Next generation post processing in Call of
+// Duty"), so that few of them give fine grain instead of banding.
 mat2 turn_here() {
   float angle = 6.2831853 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
   return mat2(cos(angle), sin(angle), -sin(angle), cos(angle));
 }
 
-// Sum over the 2×2 pixels that are shaded together.
+// Returns the sum over the 2×2 pixels that are shaded together.
 float sum_of_quad(float value) {
   vec2 side = 1.0 - 2.0 * mod(floor(gl_FragCoord.xy), 2.0);
   float row = 2.0 * value + side.x * dFdx(value);
   return max(2.0 * row + side.y * dFdy(row), 0.0);
 }
 
-// The penumbra is as wide as what casts the shadow is far away (Fernando 2005, "Percentage-closer soft shadows"). The
-// search is closer towards its middle, where low things cast narrow shadows, counts what is near for more, and passes
-// over what is too low for its penumbra to reach here. Neighbouring pixels search together. `slope`: of the lit plane's depth.
+// Returns the visibility with a penumbra as wide as the occluder is distant (Fernando 2005, "Percentage-closer soft
+// shadows"). The search is denser toward its center, where low objects cast narrow shadows, weights near occluders
+// more, and skips those too low for their penumbra to reach this point. Neighboring pixels search together. `slope`: of
+// the lit plane's depth.
 float soft_visibility(vec3 place, vec2 slope) {
-  const float kSure = 4.0;  // blockers that one search must have found for a shadow to begin without a step
+  const float kSure = 4.0;  // blockers needed by one search for a shadow to begin without a visible step
   int count = int(effects.y);
   mat2 turn = turn_here();
   float sum = 0.0, blockers = 0.0, found = 0.0;
@@ -84,10 +85,10 @@ float soft_visibility(vec3 place, vec2 slope) {
   return mix(1.0, lit / float(count), min(found / kSure, 1.0));
 }
 
-// Share of the lamp's light that clear matter lets through.
+// Returns the fraction of the lamp's light transmitted by transparent materials.
 float clear_visibility(vec3 place, vec2 slope) {
   const int kCount = 8;
-  const float kKept = 0.3;  // by two faces and what lies between
+  const float kKept = 0.3;  // transmitted by two faces and the material between
   float taken = 0.0;
   for (int i = 0; i < (effects.z == 0.0 ? 0 : kCount); ++i) {
     vec2 offset = 4.0 * kNarrowest * disc_point(i, kCount);
@@ -96,17 +97,17 @@ float clear_visibility(vec3 place, vec2 slope) {
   return 1.0 - kKept * taken / float(kCount);
 }
 
-// Share of the lamp's light that arrives.
+// Returns the fraction of the lamp's light that arrives.
 float light_visibility(vec3 position, vec3 normal) {
   vec3 place = place_in_shadow_map(position, normal);
   vec3 turned = normalize(mat3(shadow_matrix) * normal);
-  if (turned.z >= 0.0) return 0.0;  // turned away
+  if (turned.z >= 0.0) return 0.0;  // faces away
   vec2 slope = turned.xy / max(-turned.z, 0.2);
   return soft_visibility(place, slope) * clear_visibility(place, slope);
 }
 
-// Share of the sky that what stands near leaves open: the map's four nearest values, those about as far away as the
-// point before others.
+// Returns the visible fraction of the sky: a mean of the map's four nearest values, weighted toward those at the
+// distance of the point.
 float ambient_openness(vec3 position) {
   float away = (view_projection * vec4(position, 1.0)).w;
   ivec2 last = textureSize(occlusion_map, 0) - 1;
@@ -125,7 +126,7 @@ float ambient_openness(vec3 position) {
   return sum / weights;
 }
 
-// The same in colour: a blue sky, as far as it is open, a warm lamp.
+// Illumination in color: a blue sky, scaled by its openness, and a warm lamp.
 vec3 colored_illumination(vec3 normal, float visibility, float openness) {
   vec3 sky = mix(kGroundLight, kSkyLight, 0.5 + 0.5 * normal.y) * openness;
   return sky + kLampLight * max(dot(normal, light.xyz), 0.0) * visibility;
@@ -135,16 +136,16 @@ vec3 sky_light(vec3 direction) {
   return linear_from_srgb(mix(sky_bottom, sky_top, smoothstep(-0.2, 1.0, direction.y)));
 }
 
-// Share of light that a smooth face mirrors (Schlick 1994). `ray`: from the eye.
+// Returns the fraction of light reflected by a smooth face (Schlick 1994). `ray`: from the eye.
 float mirrored_share(vec3 normal, vec3 ray) { return 0.04 + 0.96 * pow(1.0 - min(abs(dot(normal, ray)), 1.0), 5.0); }
 
-// What a glaze mirrors of the sky, as far as it is open, and of the lamp.
+// Returns the reflection of the sky, scaled by its openness, and of the lamp in a glaze.
 vec3 glaze_light(vec3 position, vec3 normal, float visibility, float openness) {
   vec3 ray = -towards_eye(position), direction = reflect(ray, normal);
   float lamp = 12.0 * pow(max(dot(direction, light.xyz), 0.0), 120.0) * visibility;
   return mirrored_share(normal, ray) * (openness * sky_light(direction) + lamp);
 }
 
-// Colour that is seen of a colour in light.
+// Returns the reflected color.
 vec3 reflected(vec3 color, vec3 light_here) { return srgb_from_linear(linear_from_srgb(color) * light_here); }
 #endif

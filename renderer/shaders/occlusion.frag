@@ -1,5 +1,5 @@
-// How much of the sky above it a point sees past what stands before its plane within `reach` (after McGuire et al. 2012,
-// "Scalable ambient obscurance"). Each pixel of 4×4 turns the samples by another angle; occlusion_blur.frag averages.
+// Openness of a point to the sky above its plane within `reach` (after McGuire et al. 2012, "Scalable ambient
+// obscurance"). Each pixel of 4×4 rotates the samples by a different angle; occlusion_blur.frag averages.
 const float kStrength = 1.7, kDarkest = 0.2, kFar = 6e4;
 
 uniform sampler2D scene_depth;
@@ -8,7 +8,7 @@ uniform float reach;  // [m]
 uniform int samples;
 layout(location = 0) out vec2 openness_and_distance;
 
-// Where what is seen at a pixel is; w: its distance from the eye, as perspective has it. The background is far away.
+// Returns the visible point at a pixel; w: its distance from the eye in perspective. The background is far away.
 vec4 place_at(ivec2 pixel) {
   ivec2 size = textureSize(scene_depth, 0);
   ivec2 inside = clamp(pixel, ivec2(0), size - 1);
@@ -20,7 +20,8 @@ vec4 place_at(ivec2 pixel) {
 
 vec3 shorter(vec3 a, vec3 b) { return dot(a, a) < dot(b, b) ? a : b; }
 
-// From the nearer neighbour on either side, so that outlines have the normal of one of their two surfaces.
+// Computes the normal from the nearer neighbor on either side, so that outlines have the normal of one of their two
+// surfaces.
 vec3 normal_at(ivec2 pixel, vec3 place) {
   vec3 x = shorter(place - place_at(pixel - ivec2(1, 0)).xyz, place_at(pixel + ivec2(1, 0)).xyz - place);
   vec3 y = shorter(place - place_at(pixel - ivec2(0, 1)).xyz, place_at(pixel + ivec2(0, 1)).xyz - place);

@@ -1,4 +1,4 @@
-// The mean of 4×4 values, of those about as far away before others.
+// Mean of 4×4 values, weighted toward those at a similar distance.
 uniform sampler2D raw_occlusion;
 layout(location = 0) out vec2 openness_and_distance;
 

@@ -1,7 +1,7 @@
-// What a fragment shader ends with. Opaque, it writes colour and id; TRANSPARENT, the two weighted sums from which
-// blend.frag makes the colour (McGuire & Bavoil 2013), the nearer the heavier.
+// Output of a fragment shader. Opaque, it writes color and id; TRANSPARENT, the two weighted sums for blend.frag
+// (McGuire & Bavoil 2013), with larger weights for near fragments.
 #ifdef TRANSPARENT
-layout(location = 0) out vec4 color_sum;  // rgb: added up; a: what the background keeps, multiplied
+layout(location = 0) out vec4 color_sum;  // rgb: sum; a: product of the background's fractions
 layout(location = 1) out float weight_sum;
 
 void emit(vec3 color, float opacity, int id) {

@@ -5,14 +5,14 @@ flat in vec4 color;
 layout(location = 0) out vec4 pixel_color;
 layout(location = 1) out int pixel_id;
 
-// Between 0 and 1, another one for each pixel and puff (interleaved gradient noise: Jimenez 2014).
+// Returns a number in 0..1, different for each pixel and puff (interleaved gradient noise: Jimenez 2014).
 float noise() {
   vec2 at = gl_FragCoord.xy + 64.0 * fract(center.xy + center.zz);
   return fract(52.9829189 * fract(dot(at, vec2(0.06711056, 0.00583715))));
 }
 
-// Puffs end softly where bodies and ground begin: how much of one lies before what is seen behind it, which the map of
-// occlusion knows. A parallel projection tells no distances.
+// Puffs fade softly at bodies and ground, by the part of the puff in front of the background, whose distance is in the
+// occlusion map. A parallel projection has no distances.
 #ifdef PLAIN_LIGHT
 float share_before_bodies() { return 1.0; }
 #else
@@ -23,8 +23,8 @@ float share_before_bodies() {
 }
 #endif
 
-// Denser towards the middle; light comes from all sides. Many faint puffs lie on one another, of which rounding would
-// take the channels that differ most first, so that dust would fade to another hue: each pixel has few of them instead.
+// Denser toward the center, with light from all sides. Many faint puffs overlap, and rounding would shift their hue; so
+// each pixel has few stronger ones instead.
 void main() {
   float density = max(1.0 - dot(place, place), 0.0);
   if (density == 0.0) discard;

@@ -1,8 +1,8 @@
-// What the fragment shaders of surfaces share.
+// Common functions of the fragment shaders of surfaces.
 const vec3 kCrackTint = vec3(0.80, 0.66, 0.55), kEdgeColor = vec3(0.09, 0.10, 0.12);
 const vec3 kSelectionColor = vec3(1.0, 0.55, 0.10);
 
-// What is drawn in this pass, a DrawnPart.
+// Part drawn in this pass, a DrawnPart.
 #ifdef NATURAL
 const int drawn_part = 0;
 #else
@@ -18,7 +18,7 @@ uniform vec2 scalar_range;
 uniform vec3 nan_color;
 uniform float edge_width;  // [pixels]
 
-// The table's entry, exactly: the legend shows the same bytes.
+// Returns the table's entry without interpolation: the legend shows the same bytes.
 vec3 scalar_color(float value) {
   if ((floatBitsToUint(value) & 0x7fffffffu) > 0x7f800000u) return nan_color;
   int size = textureSize(color_table, 0).x;
@@ -26,7 +26,7 @@ vec3 scalar_color(float value) {
   return texelFetch(color_table, ivec2(min(int(t * float(size)), size - 1), 0), 0).rgb;
 }
 
-// How much of the pixel lies on a marked edge. Lines thin out where triangles get too small to tell apart.
+// Returns the fraction of the pixel on a marked edge. Lines thin out for very small triangles.
 float edge_coverage(vec3 barycentric, vec3 marked) {
   vec3 dx = dFdx(barycentric), dy = dFdy(barycentric);
   vec3 per_pixel = max(sqrt(dx * dx + dy * dy), 1e-7);
@@ -35,14 +35,14 @@ float edge_coverage(vec3 barycentric, vec3 marked) {
   return max(coverage.x, max(coverage.y, coverage.z)) * smoothstep(4.0, 14.0, height);
 }
 
-// The side of the triangle that is seen.
+// Returns the normal of the visible side of the triangle.
 vec3 flat_normal(vec3 position) {
   vec3 normal = normalize(cross(dFdx(position), dFdy(position)));
   return dot(normal, towards_eye(position)) < 0.0 ? -normal : normal;
 }
 
-// A plain colour takes the whole range of light, a scalar's colour only its upper part so that values stay comparable.
-// `gloss`: of a glaze over it, 0..1.
+// Shades a color: a plain one with the full range of light, a scalar's with the upper part alone so that values stay
+// comparable. `gloss`: of a glaze over it, 0..1.
 vec3 shade(vec3 color, vec3 position, vec3 normal, vec3 bump, bool is_scalar, float gloss) {
   float visibility = light_visibility(position, flat_normal(position)), openness = ambient_openness(position);
   vec3 bumped = normalize(normal + bump);

@@ -6,7 +6,7 @@ flat in int id;
 layout(location = 0) out vec4 pixel_color;
 layout(location = 1) out int pixel_id;
 
-// The ray through the pixel meets the sphere, exactly; alpha is the pixel's coverage at the outline.
+// Exact intersection of the pixel's ray with the sphere; alpha is the pixel's coverage at the outline.
 void main() {
   vec3 direction = -towards_eye(position);
   vec3 offset = position - center;

@@ -8,7 +8,7 @@ flat out float radius;
 flat out vec3 color;
 flat out int id;
 
-// A square through the centre, facing the eye, that covers the sphere's outline (where tangents from the eye meet it).
+// A square through the center, facing the eye, that covers the sphere's outline (the tangents from the eye).
 void main() {
   vec3 axis = eye.xyz - sphere_center * eye.w;
   float ratio = eye.w * sphere_radius * sphere_radius / dot(axis, axis);

@@ -8,13 +8,13 @@ flat out float width;
 flat out vec3 color;
 flat out int id;
 
-// The part of the segment from a to b in front of the near plane begins here.
+// Returns the start of the segment from a to b in front of the near plane.
 vec4 clipped(vec4 a, vec4 b) {
   float near_a = a.z + a.w, near_b = b.z + b.w;
   return near_a < 0.0 && near_b > 0.0 ? mix(a, b, 1.001 * near_a / (near_a - near_b)) : a;
 }
 
-// A rectangle on the screen that holds the line and its round ends; a point is a line of no length.
+// A rectangle on the screen around the line and its round ends; a point is a line of zero length.
 void main() {
   vec4 clip_a = view_projection * vec4(stroke_start, 1.0), clip_b = view_projection * vec4(stroke_end, 1.0);
   vec4 a = clipped(clip_a, clip_b), b = clipped(clip_b, clip_a);
@@ -29,7 +29,7 @@ void main() {
   width = stroke_width;
   color = stroke_color;
   id = stroke_id;
-  // Depth of a place 0.3 % of the way to the eye: before the surface that it may lie on.
+  // Depth of a point 0.3 % closer to the eye: in front of the surface on which it may lie.
   float nearer = 0.003 * (view_projection * eye).z;
   gl_Position = vec4(clip.xy + 2.0 * reach / viewport.xy * clip.w, clip.z + nearer, clip.w);
 }

@@ -3,7 +3,7 @@ const int kCrackFace = 8, kSelected = 16, kPlain = 32, kClear = 64;  // Triangle
 uniform samplerBuffer scalars, colors;
 uniform isamplerBuffer ids;
 uniform usamplerBuffer flags;
-#ifdef NATURAL  // colours in plain light and nothing else
+#ifdef NATURAL  // colors in plain light only
 const int scalars_per_triangle = 0;
 const bool draw_edges = false, unlit = false;
 #else
@@ -14,7 +14,7 @@ uniform bool has_colors, has_ids, has_flags;
 uniform vec3 plain_color;
 uniform float opacity, clear_depth;
 in vec3 position;
-centroid in vec3 covered;  // a place in the part of the pixel that the triangle covers
+centroid in vec3 covered;  // a point in the part of the pixel covered by the triangle
 in vec3 barycentric;
 in float scalar;
 flat in int triangle;

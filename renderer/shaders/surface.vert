@@ -5,7 +5,7 @@ out vec3 position;
 centroid out vec3 covered;
 out vec3 barycentric;
 out float scalar;
-flat out int triangle;  // its number: gl_PrimitiveID would have software GL copy all vertices
+flat out int triangle;  // index of the triangle: gl_PrimitiveID would make software GL copy all vertices
 out float gl_ClipDistance[1];
 
 void main() {

@@ -35,7 +35,7 @@ double openness_of(const BakedMesh& mesh) {
 
 double mass_of_pieces(const Bake& bake) {
   double mass = 0;
-  for (const BakedThing& thing : bake.things) mass += thing.scene_body >= 0 ? thing.mass : 0;
+  for (const BakedObject& object : bake.objects) mass += object.scene_body >= 0 ? object.mass : 0;
   return mass;
 }
 
@@ -43,25 +43,25 @@ TEST(Bake, PiecesOfTetsEncloseTheirMass) {
   for (const int first : {0, 12}) {
     const Scene scene = remeshed_wall();
     const Bake bake = baked_run(scene, first, 30);
-    ASSERT_GT(bake.things.size(), 10u);
+    ASSERT_GT(bake.objects.size(), 10u);
     EXPECT_NEAR(mass_of_pieces(bake), 2 * scene.bodies[0].material.density, 1e-6);
-    for (const BakedThing& thing : bake.things) {
-      EXPECT_LT(openness_of(thing.mesh), 1e-9) << thing.name;
-      if (thing.scene_body < 0 || first > 0) continue;  // in later frames pieces are strained
-      EXPECT_NEAR(enclosed_volume(surface_of(thing.mesh)), thing.mass / scene.bodies[0].material.density,
+    for (const BakedObject& object : bake.objects) {
+      EXPECT_LT(openness_of(object.mesh), 1e-9) << object.name;
+      if (object.scene_body < 0 || first > 0) continue;  // in later frames pieces are strained
+      EXPECT_NEAR(enclosed_volume(surface_of(object.mesh)), object.mass / scene.bodies[0].material.density,
                   1e-6)  // the wall is strained by its weight
-          << thing.name;
+          << object.name;
     }
   }
 }
 
 TEST(Bake, ShardsShareOutTheBody) {
   const Bake bake = baked_run(baked_wall(), 0, 30);
-  ASSERT_GT(bake.things.size(), 10u);
+  ASSERT_GT(bake.objects.size(), 10u);
   double volume = 0;
-  for (const BakedThing& thing : bake.things) {
-    EXPECT_LT(openness_of(thing.mesh), 1e-5) << thing.name;
-    if (thing.scene_body >= 0) volume += enclosed_volume(surface_of(thing.mesh));
+  for (const BakedObject& object : bake.objects) {
+    EXPECT_LT(openness_of(object.mesh), 1e-5) << object.name;
+    if (object.scene_body >= 0) volume += enclosed_volume(surface_of(object.mesh));
   }
   EXPECT_NEAR(volume, 2, 1e-5);
 }
@@ -72,11 +72,11 @@ TEST(Bake, PiecesSmallerThanSplintersShareThemOut) {
   scene.bodies[0].splinters = BrickSplinters{.size = Vec3(1, 0.7, 0.5)};
   const Bake bake = baked_run(scene, 0, 30);
   double volume = 0;
-  for (const BakedThing& thing : bake.things) {
-    if (thing.scene_body < 0) continue;
-    EXPECT_LT(openness_of(thing.mesh), 1e-5) << thing.name;
-    EXPECT_GT(enclosed_volume(surface_of(thing.mesh)), 1e-6) << thing.name;
-    volume += enclosed_volume(surface_of(thing.mesh));
+  for (const BakedObject& object : bake.objects) {
+    if (object.scene_body < 0) continue;
+    EXPECT_LT(openness_of(object.mesh), 1e-5) << object.name;
+    EXPECT_GT(enclosed_volume(surface_of(object.mesh)), 1e-6) << object.name;
+    volume += enclosed_volume(surface_of(object.mesh));
   }
   EXPECT_NEAR(volume, 2, 1e-4);
 }
@@ -87,12 +87,12 @@ TEST(Bake, JointsAreOfMortar) {
   scene.bodies[0].splinters = BrickSplinters{Vec3(0.24, 0.19, 0.24), 0.01, Vec3(0.1, 0.1, -0.12)};
   const Bake bake = baked_run(scene, 0, 30);
   std::array<double, kLooks> areas = {};
-  for (const BakedThing& thing : bake.things) {
-    if (thing.scene_body < 0) continue;
+  for (const BakedObject& object : bake.objects) {
+    if (object.scene_body < 0) continue;
     for (int look = 0; look < kLooks; ++look)
-      areas[look] += surface_area({thing.mesh.points, thing.mesh.triangles[look], {}, {}});
+      areas[look] += surface_area({object.mesh.points, object.mesh.triangles[look], {}, {}});
   }
-  EXPECT_EQ(bake.materials[bake.things[0].materials[static_cast<int>(Look::mortar)]].name, "wall_mortar");
+  EXPECT_EQ(bake.materials[bake.objects[0].materials[static_cast<int>(Look::mortar)]].name, "wall_mortar");
   const double outside = 2 * (2 * 2 + 2 * 0.5 + 2 * 0.5), joints = 1 - 0.24 / 0.25 * 0.19 / 0.2;
   EXPECT_NEAR(areas[static_cast<int>(Look::outside)], outside * (1 - joints), 0.01 * outside);
   EXPECT_GT(areas[static_cast<int>(Look::mortar)], outside * joints);
@@ -105,13 +105,13 @@ TEST(Bake, PiecesShareOutTheSurfaceOfAFile) {
   const Bake bake = baked_run(scene, 0, 20);
   const double whole = mass_of_pieces(bake) / scene.bodies[0].material.density;
   double volume = 0;
-  for (const BakedThing& thing : bake.things) {
-    if (thing.scene_body < 0) continue;
-    EXPECT_LT(openness_of(thing.mesh), 1e-5) << thing.name;
-    EXPECT_GT(enclosed_volume(surface_of(thing.mesh)), 0) << thing.name;
-    volume += enclosed_volume(surface_of(thing.mesh));
+  for (const BakedObject& object : bake.objects) {
+    if (object.scene_body < 0) continue;
+    EXPECT_LT(openness_of(object.mesh), 1e-5) << object.name;
+    EXPECT_GT(enclosed_volume(surface_of(object.mesh)), 0) << object.name;
+    volume += enclosed_volume(surface_of(object.mesh));
   }
-  ASSERT_GT(bake.things.size(), 100u);
+  ASSERT_GT(bake.objects.size(), 100u);
   EXPECT_NEAR(volume, whole, 1e-3 * whole);
 }
 
@@ -121,9 +121,9 @@ TEST(Bake, FirstPosesPutPiecesWhereTheFirstFrameHasThem) {
     for (int i = 0; i < 12; ++i) world.step();
     Eigen::AlignedBox3d frame_box, box;
     for (const Vec3& position : world.frame().nodes.positions) frame_box.extend(position);
-    for (const BakedThing& thing : baked_run(scene, 12, 30).things)
-      for (const Vec3& point : thing.mesh.points)
-        if (thing.scene_body >= 0) box.extend(placed(thing.poses.front(), point));
+    for (const BakedObject& object : baked_run(scene, 12, 30).objects)
+      for (const Vec3& point : object.mesh.points)
+        if (object.scene_body >= 0) box.extend(placed(object.poses.front(), point));
     EXPECT_LT((box.min() - frame_box.min()).norm(), 1e-5);
     EXPECT_LT((box.max() - frame_box.max()).norm(), 1e-5);
   }
@@ -136,12 +136,12 @@ TEST(Bake, DeformedPointsAreWhereTheLastFrameHasThem) {
   const Bake bake = baked_run(scene, 0, 30, true);
   Eigen::AlignedBox3d frame_box, box;
   for (const Vec3& position : world.frame().nodes.positions) frame_box.extend(position);
-  for (const BakedThing& thing : bake.things) {
-    if (thing.scene_body < 0) continue;
-    ASSERT_EQ(thing.deformed_points.size(), 31u);
-    for (const Vec3& point : thing.deformed_points.back()) box.extend(placed(thing.poses.back(), point));
-    for (std::size_t i = 0; i < thing.mesh.points.size(); ++i)
-      EXPECT_LT((thing.deformed_points.front()[i] - thing.mesh.points[i]).norm(), 1e-9);
+  for (const BakedObject& object : bake.objects) {
+    if (object.scene_body < 0) continue;
+    ASSERT_EQ(object.deformed_points.size(), 31u);
+    for (const Vec3& point : object.deformed_points.back()) box.extend(placed(object.poses.back(), point));
+    for (std::size_t i = 0; i < object.mesh.points.size(); ++i)
+      EXPECT_LT((object.deformed_points.front()[i] - object.mesh.points[i]).norm(), 1e-9);
   }
   EXPECT_LT((box.min() - frame_box.min()).norm(), 1e-9);
   EXPECT_LT((box.max() - frame_box.max()).norm(), 1e-9);
@@ -153,8 +153,8 @@ TEST(Bake, AFreeBodyMovesAndTurnsEvenly) {
   scene.bodies[0].velocity = Vec3(1, 2, 3);
   scene.bodies[0].angular_velocity = Vec3(0, 0, 2);
   const Bake bake = baked_run(scene, 0, 60);
-  ASSERT_EQ(bake.things.size(), 1u);
-  const std::vector<Pose>& poses = bake.things[0].poses;
+  ASSERT_EQ(bake.objects.size(), 1u);
+  const std::vector<Pose>& poses = bake.objects[0].poses;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const double time = bake.times[i];
     EXPECT_LT((poses[i].translation - poses[0].translation - time * Vec3(1, 2, 3)).norm(), 1e-6) << i;
@@ -162,7 +162,7 @@ TEST(Bake, AFreeBodyMovesAndTurnsEvenly) {
     EXPECT_LT(poses[i].rotation.angularDistance(turned), 1e-2) << i;
   }
   EXPECT_EQ(bake.frames_per_second, 120);
-  EXPECT_FALSE(bake.things[0].break_time);
+  EXPECT_FALSE(bake.objects[0].break_time);
 }
 
 TEST(Bake, WhatRestsStaysWhereItIs) {
@@ -170,9 +170,9 @@ TEST(Bake, WhatRestsStaysWhereItIs) {
   scene.projectiles.clear();
   scene.bodies[0].material = testing::brick(1);
   const Bake bake = baked_run(scene, 0, 20);
-  ASSERT_EQ(bake.things.size(), 1u);
-  for (const Pose& pose : bake.things[0].poses) {
-    EXPECT_LT((pose.translation - bake.things[0].poses[0].translation).norm(), 1e-7);
+  ASSERT_EQ(bake.objects.size(), 1u);
+  for (const Pose& pose : bake.objects[0].poses) {
+    EXPECT_LT((pose.translation - bake.objects[0].poses[0].translation).norm(), 1e-7);
     EXPECT_LT(pose.rotation.angularDistance(Quat::Identity()), 1e-7);
   }
 }
@@ -181,10 +181,10 @@ TEST(Bake, WhatRestsStaysWhereItIs) {
 TEST(Bake, PiecesOfAWholeBodyMoveTogether) {
   const Bake bake = baked_run(baked_wall(), 0, 30);
   for (std::size_t frame = 0; frame < bake.times.size() && bake.times[frame] < 0.05; ++frame)
-    for (const BakedThing& thing : bake.things) {
-      if (thing.scene_body < 0) continue;
-      EXPECT_LT((thing.poses[frame].translation - thing.poses[0].translation).norm(), 1e-4);
-      EXPECT_LT(thing.poses[frame].rotation.angularDistance(Quat::Identity()), 1e-3);
+    for (const BakedObject& object : bake.objects) {
+      if (object.scene_body < 0) continue;
+      EXPECT_LT((object.poses[frame].translation - object.poses[0].translation).norm(), 1e-4);
+      EXPECT_LT(object.poses[frame].rotation.angularDistance(Quat::Identity()), 1e-3);
     }
 }
 
@@ -193,10 +193,10 @@ TEST(Bake, BondsLieBetweenTheirPieces) {
     const Bake bake = baked_run(scene, 0, 30);
     ASSERT_FALSE(bake.bonds.empty());
     double inside = 0, bonds = 0;
-    for (const BakedThing& thing : bake.things)
-      inside += surface_area({thing.mesh.points, thing.mesh.triangles[static_cast<int>(Look::inside)], {}, {}});
+    for (const BakedObject& object : bake.objects)
+      inside += surface_area({object.mesh.points, object.mesh.triangles[static_cast<int>(Look::inside)], {}, {}});
     for (const BakedBond& bond : bake.bonds) {
-      const BakedThing &a = bake.things[bond.a], &b = bake.things[bond.b];
+      const BakedObject &a = bake.objects[bond.a], &b = bake.objects[bond.b];
       EXPECT_LT(bond.a, bond.b);
       EXPECT_NEAR(bond.normal.norm(), 1, 1e-12);
       EXPECT_NEAR(bond.strength, scene.bodies[0].material.tensile_strength, 1e-6 * bond.strength);
@@ -307,15 +307,15 @@ TEST(Bake, NamesAreWordsEachGivenOnce) {
   scene.bodies[0].name = "2 läufe";
   std::set<std::string> names;
   const Bake bake = baked_run(scene, 0, 30);
-  for (const BakedThing& thing : bake.things) {
-    EXPECT_THAT(thing.name, ::testing::MatchesRegex("[A-Za-z_][A-Za-z0-9_]*"));
-    EXPECT_TRUE(names.insert(thing.name).second) << thing.name;
+  for (const BakedObject& object : bake.objects) {
+    EXPECT_THAT(object.name, ::testing::MatchesRegex("[A-Za-z_][A-Za-z0-9_]*"));
+    EXPECT_TRUE(names.insert(object.name).second) << object.name;
   }
 }
 
 TEST(Bake, ShotsAppearWhenTheyAreFired) {
   const Bake bake = baked_run(baked_wall(), 0, 30);
-  const BakedThing& shot = bake.things.back();
+  const BakedObject& shot = bake.objects.back();
   EXPECT_EQ(shot.scene_body, -1);
   EXPECT_GT(shot.first_frame, 0);
   EXPECT_EQ(shot.poses.size() + static_cast<std::size_t>(shot.first_frame), bake.times.size());

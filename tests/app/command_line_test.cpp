@@ -71,7 +71,7 @@ TEST(CommandLine, ASlipInTheNameOfACommandIsToldFromAMissingScene) {
   const Outcome missing = run_program("my/wall.json");
   EXPECT_EQ(missing.code, 2);
   EXPECT_THAT(missing.output, HasSubstr("my/wall.json: there is no such scene file"));
-  EXPECT_THAT(missing.output, HasSubstr("scenes to begin with are in"));
+  EXPECT_THAT(missing.output, HasSubstr("sample scenes are in"));
 }
 
 TEST(CommandLine, CheckWarnsOfBodiesThatStartInsideOneAnother) {
@@ -95,7 +95,7 @@ TEST(CommandLine, BadSceneIsExitCode2WithThePlaceOfEachProblem) {
   EXPECT_EQ(checked.code, 2);
   EXPECT_THAT(checked.output, HasSubstr("#/gravity"));
   EXPECT_THAT(checked.output, HasSubstr("#/bodies/0/shape/box/size"));
-  EXPECT_THAT(checked.output, HasSubstr("small_wall.json: good"));
+  EXPECT_THAT(checked.output, HasSubstr("small_wall.json: valid"));
 }
 
 TEST(CommandLine, ABadMeshIsToldWithSceneBodyFileAndLine) {

@@ -236,7 +236,7 @@ TEST_F(BodiesTest, WhatWaitedForWorkThatIsCancelledIsToldAndNotDone) {
   draw(2);
   EXPECT_TRUE(editor_.state().waiting.empty());
   EXPECT_EQ(editor_.scene().bodies.size(), 3u) << "the copy was taken back, and nothing else is gone";
-  EXPECT_THAT(editor_.state().log.back().text, ::testing::HasSubstr("Delete was not done"));
+  EXPECT_THAT(editor_.state().log.back().text, ::testing::HasSubstr("Delete was skipped"));
 }
 
 TEST_F(BodiesTest, EntriesAreReorderedAndUndoneToTheSameBytes) {

@@ -71,7 +71,7 @@ class ComparisonTest : public EditorTest {
 
 TEST_F(ComparisonTest, NeedsAnotherBranch) {
   run(3);
-  EXPECT_FALSE(editor_.why_not(CommandId::toggle_comparison).empty());
+  EXPECT_FALSE(editor_.disabled_reason(CommandId::toggle_comparison).empty());
   EXPECT_FALSE(ui::find_tag(editor_.tags(), "time/compare"));
 }
 

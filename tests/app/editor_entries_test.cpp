@@ -73,7 +73,7 @@ TEST_F(EditorEntries, EachEditIsOneEntryOfTheHistoryAndComesBackToTheSameBytes) 
     execute(CommandId::undo);
     EXPECT_EQ(text(), texts[i]) << "undo " << edits[i].first;
   }
-  EXPECT_NE(editor_.why_not(CommandId::undo), "") << "each was one entry";
+  EXPECT_NE(editor_.disabled_reason(CommandId::undo), "") << "each was one entry";
   for (std::size_t i = 0; i < edits.size(); ++i) {
     execute(CommandId::redo);
     EXPECT_EQ(text(), texts[i + 1]) << "redo " << edits[i].first;

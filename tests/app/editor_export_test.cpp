@@ -32,7 +32,7 @@ class ExportTest : public EditorTest {
 };
 
 TEST_F(ExportTest, TheDialogProposesAFileForOtherPrograms) {
-  EXPECT_FALSE(editor_.why_not(CommandId::export_dialog).empty()) << "there is no past yet";
+  EXPECT_FALSE(editor_.disabled_reason(CommandId::export_dialog).empty()) << "there is no past yet";
   run(5);
   const std::uint64_t hash = editor_.timeline().world().state_hash();
   press_key('E', true);
@@ -70,7 +70,7 @@ TEST_F(ExportTest, PicturesOfOthersAreNotReplacedUnasked) {
   write(test_folder() / "wall.png");
   draw(2);
   ASSERT_TRUE(editor_.state().replacement);
-  EXPECT_THAT(editor_.state().replacement->problem, HasSubstr("wall_0001.png is there already"));
+  EXPECT_THAT(editor_.state().replacement->problem, HasSubstr("wall_0001.png already exists"));
   EXPECT_EQ(beginning(test_folder() / "wall_0001.png", 8), "not mine");
   EXPECT_TRUE(editor_.state().work.empty());
 }

@@ -87,7 +87,7 @@ TEST_F(EditorFiles, AnotherFileIsReplacedOnlyWhenToldSo) {
   type("other.json");
   click("save/save");
   draw(4);
-  EXPECT_THAT(value("replace/problem"), HasSubstr("other.json is there already"));
+  EXPECT_THAT(value("replace/problem"), HasSubstr("other.json already exists"));
   click("replace/cancel");
   draw(4);
   EXPECT_EQ(text_of(other), "not to be lost");
@@ -153,7 +153,7 @@ TEST_F(EditorFiles, EditsAreCopiedOnceAMinuteUntilTheyAreSaved) {
   const fs::path own = small_wall_file();
   editor_.open(own);
   draw(2);
-  editor_.keep_edits_safe(states());
+  editor_.enable_autosave(states());
   editor_.autosave(0);
   EXPECT_EQ(copies_in(test_folder()), 0) << "nothing is edited";
   choose_material("concrete");
@@ -176,7 +176,7 @@ TEST_F(EditorFiles, EditsAreCopiedOnceAMinuteUntilTheyAreSaved) {
 }
 
 TEST_F(EditorFiles, CopiesGoWithEditsThatAreNotWanted) {
-  editor_.keep_edits_safe(states());
+  editor_.enable_autosave(states());
   choose_material("concrete");
   editor_.autosave(1);
   EXPECT_EQ(copies_in(states()), 1);
@@ -197,7 +197,7 @@ TEST_F(EditorFiles, WhatACrashLeftIsRecoveredAndCanBeUndone) {
   edited.bodies[0].material.name = "mine";
   edited.projectiles[0].shape = SurfaceProjectile{"tet.off", 1};
   leave_edits(edited, own);
-  editor_.keep_edits_safe(states());
+  editor_.enable_autosave(states());
   draw(4);
   EXPECT_THAT(value("left_edits/text"), HasSubstr("small_wall.json"));
   click("left_edits/recover");
@@ -220,12 +220,12 @@ TEST_F(EditorFiles, WhatACrashLeftCanBeKeptOrDiscarded) {
   Scene edited = small_wall();
   edited.name = "never saved";
   leave_edits(edited, "");
-  editor_.keep_edits_safe(states());
+  editor_.enable_autosave(states());
   draw(4);
   EXPECT_THAT(value("left_edits/text"), HasSubstr("a new scene"));
   click("left_edits/later");
   EXPECT_EQ(copies_in(states()), 1);
-  editor_.keep_edits_safe(states());
+  editor_.enable_autosave(states());
   draw(4);
   click("left_edits/discard");
   EXPECT_EQ(copies_in(states()), 0);
@@ -237,10 +237,10 @@ TEST_F(EditorFiles, WhatALinkBesideASceneLeadsToIsNoneOfItsEdits) {
   fs::create_directories(users);
   fs::copy_file(own, users / "scene.json");
   fs::create_directory_symlink(users, test_folder() / ".small_wall.json.edits-a1b2c3");
-  editor_.keep_edits_safe(states());
+  editor_.enable_autosave(states());
   editor_.open(own);
   wait_for_work();
-  EXPECT_TRUE(editor_.state().left_edits.empty());
+  EXPECT_TRUE(editor_.state().recoverable_edits.empty());
   editor_.execute({.id = ui::CommandId::discard_copy});
   EXPECT_TRUE(fs::exists(users / "scene.json"));
 }
@@ -249,8 +249,8 @@ TEST_F(EditorFiles, OpeningASceneAsksForWhatWasLeftBesideIt) {
   const fs::path own = small_wall_file();
   leave_edits(small_wall(), own);
   for (const auto& entry : fs::directory_iterator(states())) fs::remove(entry.path());
-  editor_.keep_edits_safe(states());
-  EXPECT_TRUE(editor_.state().left_edits.empty());
+  editor_.enable_autosave(states());
+  EXPECT_TRUE(editor_.state().recoverable_edits.empty());
   editor_.open(own);
   wait_for_work();
   EXPECT_THAT(value("left_edits/text"), HasSubstr("small_wall.json"));
@@ -258,21 +258,21 @@ TEST_F(EditorFiles, OpeningASceneAsksForWhatWasLeftBesideIt) {
 
 TEST_F(EditorFiles, OpeningASceneAsksForNoOthers) {
   leave_edits(small_wall(), "");
-  editor_.keep_edits_safe(states());
+  editor_.enable_autosave(states());
   draw(4);
   click("left_edits/later");
   editor_.open(small_wall_file());
   wait_for_work();
-  EXPECT_TRUE(editor_.state().left_edits.empty());
+  EXPECT_TRUE(editor_.state().recoverable_edits.empty());
 }
 
 TEST_F(EditorFiles, ASceneOpenedInPlaceOfAnAnswerLeavesWhatACrashLeft) {
   leave_edits(small_wall(), "");
-  editor_.keep_edits_safe(states());
-  EXPECT_FALSE(editor_.state().left_edits.empty());
+  editor_.enable_autosave(states());
+  EXPECT_FALSE(editor_.state().recoverable_edits.empty());
   editor_.execute({.id = ui::CommandId::open, .path = small_wall_file()});  // as one dropped on the window is
   wait_for_work();
-  EXPECT_TRUE(editor_.state().left_edits.empty());
+  EXPECT_TRUE(editor_.state().recoverable_edits.empty());
   editor_.execute({.id = ui::CommandId::recover});
   EXPECT_EQ(editor_.frame().materials[0].name, small_wall().bodies[0].material.name);
   EXPECT_EQ(copies_in(states()), 1);
@@ -284,7 +284,7 @@ TEST_F(EditorFiles, ACopyThatFailedIsTriedAgain) {
   fs::copy_file(small_wall_file(), own);
   editor_.open(own);
   draw(2);
-  editor_.keep_edits_safe(states());
+  editor_.enable_autosave(states());
   fs::rename(own.parent_path(), test_folder() / "moved");
   choose_material("concrete");
   editor_.autosave(1);

@@ -87,7 +87,7 @@ TEST_F(EditorTest, TheInspectorShowsWhatAddsUpAndTheMaterialOfWhatItExplains) {
   const NodeReport report = node_report(editor_.frame(), node);
   EXPECT_EQ(editor_.state().selected_body, editor_.frame().bodies[report.body].scene_body);
   EXPECT_EQ(editor_.state().selected_body, 1) << "it is the one that was struck";
-  EXPECT_EQ(value("value/Together"), ui::format_quantity(report.sum(), report.by_tension ? "Pa" : "N", 3));
+  EXPECT_EQ(value("value/Total"), ui::format_quantity(report.sum(), report.by_tension ? "Pa" : "N", 3));
   EXPECT_EQ(value("value/Load now"), ui::format_quantity(report.load, "Pa"));
 }
 

@@ -132,7 +132,7 @@ TEST_F(TimeTest, WhatWouldHaveHeldItHoldsIt) {
   run_until_stopped();
   ASSERT_TRUE(editor_.state().stop && editor_.state().stop->node.valid());
   const NodeId node = editor_.state().selection.node;
-  const HoldingFactor factor = strength_that_holds(editor_.timeline().world(), 0, node);
+  const CriticalFactor factor = critical_strength_factor(editor_.timeline().world(), 0, node);
   ASSERT_TRUE(factor.found);
   EXPECT_GT(factor.holds, 1);
   EXPECT_LE(factor.holds, 1.011 * factor.breaks);
@@ -264,9 +264,9 @@ TEST_F(FarTravelTest, GoingBackFarShowsProgressAndCanBeCancelled) {
   }
   ASSERT_GE(editor_.timeline().interval(), 256) << "no copy but the first";
   editor_.execute({.id = CommandId::step_back});
-  ASSERT_THAT(editor_.state().work, HasSubstr("on the way to step 249"));
+  ASSERT_THAT(editor_.state().work, HasSubstr("going to step 249"));
   draw(3);
-  EXPECT_THAT(value("work/stage"), HasSubstr("again"));
+  EXPECT_THAT(value("work/stage"), HasSubstr("Repeating"));
   wait_for_work();
   EXPECT_EQ(editor_.frame().step, kSteps - 1);
   EXPECT_EQ(editor_.timeline().world().state_hash(), hash);

@@ -41,7 +41,7 @@ TEST_F(EditorTest, WorkThatLastsShowsADialogThatCancelsIt) {
   editor_.open(path);
   insist();
   const auto begins = [&] {
-    return value("work/stage") == "Building the bodies" || value("work/stage") == "Meshing body 1 of 1";
+    return value("work/stage") == "Building bodies" || value("work/stage") == "Meshing body 1 of 1";
   };
   for (int i = 0; i < 600 && begins(); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));

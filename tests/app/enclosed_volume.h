@@ -6,7 +6,7 @@
 
 namespace griffith::app {
 
-/// By the divergence theorem [m³]; right only if the surface is closed and faces outwards.
+/// By the divergence theorem [m³]; right only if the surface is closed and faces outward.
 inline double enclosed_volume(const render::Surface& surface) {
   double volume = 0;
   for (std::size_t i = 0; i < surface.positions.size(); i += 3) {

@@ -41,16 +41,16 @@ tinygltf::Model read_glb(const std::string& bytes) {
 TEST(Glb, ReadsBackWithAllThingsTrianglesAndTimes) {
   const Bake bake = wall_bake();
   const tinygltf::Model model = read_glb(glb_file(bake));
-  ASSERT_EQ(model.nodes.size(), bake.things.size());
+  ASSERT_EQ(model.nodes.size(), bake.objects.size());
   EXPECT_EQ(model.materials.size(), bake.materials.size());
-  for (std::size_t i = 0; i < bake.things.size(); ++i) {
-    const BakedThing& thing = bake.things[i];
-    EXPECT_EQ(model.nodes[i].name, thing.name);
-    EXPECT_DOUBLE_EQ(model.nodes[i].extras.Get("mass").GetNumberAsDouble(), thing.mass);
+  for (std::size_t i = 0; i < bake.objects.size(); ++i) {
+    const BakedObject& object = bake.objects[i];
+    EXPECT_EQ(model.nodes[i].name, object.name);
+    EXPECT_DOUBLE_EQ(model.nodes[i].extras.Get("mass").GetNumberAsDouble(), object.mass);
     std::size_t triangles = 0;
     for (const tinygltf::Primitive& primitive : model.meshes[model.nodes[i].mesh].primitives)
       triangles += model.accessors[primitive.indices].count / 3;
-    EXPECT_EQ(triangles, all_triangles(thing.mesh).size());
+    EXPECT_EQ(triangles, all_triangles(object.mesh).size());
   }
   ASSERT_EQ(model.animations.size(), 1u);
   double end = 0;
@@ -71,15 +71,15 @@ TEST(Glb, DeformedPointsAreMorphTargets) {
 
 TEST(Export, EveryFormatTellsWhatBrokeScaled) {
   Bake bake = wall_bake();
-  for (BakedThing& thing : bake.things) thing.broke_scaled.reset();
+  for (BakedObject& object : bake.objects) object.broke_scaled.reset();
   EXPECT_EQ(usda_file(bake).find("scaleFactor"), std::string::npos);
-  bake.things[1].broke_scaled.emplace().factor = 0.25;
+  bake.objects[1].broke_scaled.emplace().factor = 0.25;
   EXPECT_EQ(nlohmann::json::parse(bake_json(bake))["things"][1]["scale_factor"], 0.25);
   EXPECT_EQ(nlohmann::json::parse(bake_json(bake))["things"][0]["scale_factor"], 1);
   EXPECT_NE(usda_file(bake).find("griffith:scaleFactor = 0.25"), std::string::npos);
   EXPECT_NE(html_player(bake).find("\"brokeScaled\":\"E/16, σ/4\""), std::string::npos);
   const tinygltf::Model model = read_glb(glb_file(bake));
-  const auto node = std::ranges::find(model.nodes, bake.things[1].name, &tinygltf::Node::name);
+  const auto node = std::ranges::find(model.nodes, bake.objects[1].name, &tinygltf::Node::name);
   ASSERT_NE(node, model.nodes.end());
   EXPECT_EQ(node->extras.Get("scale_factor").GetNumberAsDouble(), 0.25);
 }
@@ -87,10 +87,10 @@ TEST(Export, EveryFormatTellsWhatBrokeScaled) {
 TEST(BakeJson, TellsThingsAndBonds) {
   const Bake bake = wall_bake();
   const auto json = nlohmann::json::parse(bake_json(bake));
-  ASSERT_EQ(json["things"].size(), bake.things.size());
+  ASSERT_EQ(json["things"].size(), bake.objects.size());
   ASSERT_EQ(json["bonds"].size(), bake.bonds.size());
   EXPECT_EQ(json["bonds"][0]["area"], bake.bonds[0].area);
-  EXPECT_EQ(json["bonds"][0]["a"], bake.things[bake.bonds[0].a].name);
+  EXPECT_EQ(json["bonds"][0]["a"], bake.objects[bake.bonds[0].a].name);
   EXPECT_TRUE(json["things"].back()["break_time"].is_null());
 }
 
@@ -119,8 +119,8 @@ TEST(Usda, IsBalancedAndNamesEachThingOnce) {
   const std::regex xform("def Xform \"(\\w+)\"");
   for (std::sregex_iterator match(text.begin(), text.end(), xform), end; match != end; ++match)
     names.insert((*match)[1]);
-  EXPECT_EQ(names.size(), bake.things.size() + 1);
-  for (const BakedThing& thing : bake.things) EXPECT_EQ(names.count(thing.name), 1u);
+  EXPECT_EQ(names.size(), bake.objects.size() + 1);
+  for (const BakedObject& object : bake.objects) EXPECT_EQ(names.count(object.name), 1u);
 }
 
 TEST(ExportCommand, WritesTheSameFilesWithAnyNumberOfThreads) {
@@ -173,16 +173,16 @@ TEST(ExportCommand, ARecordingGivesWhatItsSceneGives) {
   EXPECT_EQ(run_program("export " + recording + " --frames 0:21 -o " + b).code, 2);
 }
 
-/// The lower corner of the box round a thing as it is in a frame.
-Vec3 low_corner(const BakedThing& thing, std::size_t frame) {
-  const bool deformed = !thing.deformed_points.empty();
+/// The lower corner of the box round a object as it is in a frame.
+Vec3 low_corner(const BakedObject& object, std::size_t frame) {
+  const bool deformed = !object.deformed_points.empty();
   Eigen::AlignedBox3d box;
-  for (const Vec3& point : deformed ? thing.deformed_points[frame] : thing.mesh.points)
-    box.extend(placed(thing.poses[frame], point));
+  for (const Vec3& point : deformed ? object.deformed_points[frame] : object.mesh.points)
+    box.extend(placed(object.poses[frame], point));
   return box.min();
 }
 
-/// What Blender, which has z up, finds in the file: where things are first and last, and their points then.
+/// What Blender, which has z up, finds in the file: where objects are first and last, and their points then.
 TEST(ExportCommand, BlenderFindsEveryThingWhereItIs) {
   if (std::system(
           "blender -b --python-expr 'import numpy' 2>&1 | grep -q 'No module' || ! command -v blender >/dev/null") == 0)
@@ -195,16 +195,16 @@ TEST(ExportCommand, BlenderFindsEveryThingWhereItIs) {
                                 std::to_string(bake.times.size() - 1) + " >/dev/null 2>&1";
     ASSERT_EQ(std::system(command.c_str()), 0);
     const auto found = nlohmann::json::parse(std::ifstream(places));
-    ASSERT_EQ(found.size(), bake.things.size());
-    const auto expect_at = [&](const BakedThing& thing, const char* what, const Vec3& place) {
+    ASSERT_EQ(found.size(), bake.objects.size());
+    const auto expect_at = [&](const BakedObject& object, const char* what, const Vec3& place) {
       for (int i = 0; i < 3; ++i)
-        EXPECT_NEAR(found[thing.name][what][i].get<double>(), place[i], 1e-4) << thing.name << ' ' << what;
+        EXPECT_NEAR(found[object.name][what][i].get<double>(), place[i], 1e-4) << object.name << ' ' << what;
     };
-    for (const BakedThing& thing : bake.things) {
-      ASSERT_TRUE(found.contains(thing.name));
-      expect_at(thing, "first", thing.poses.front().translation);
-      expect_at(thing, "last", thing.poses.back().translation);
-      expect_at(thing, "last_low", low_corner(thing, thing.poses.size() - 1));
+    for (const BakedObject& object : bake.objects) {
+      ASSERT_TRUE(found.contains(object.name));
+      expect_at(object, "first", object.poses.front().translation);
+      expect_at(object, "last", object.poses.back().translation);
+      expect_at(object, "last_low", low_corner(object, object.poses.size() - 1));
     }
   }
 }

@@ -50,7 +50,7 @@ TEST_F(EditorTest, WhatGoesOnByItselfIsDrawn) {
   press_key(ui::key::kEscape);
   draw(3);
   EXPECT_EQ(editor_.seconds_to_next_frame(), kDrawNever);
-  editor_.state().work = "Building the bodies";
+  editor_.state().work = "Building bodies";
   EXPECT_LE(editor_.seconds_to_next_frame(), 0.1);
 }
 

@@ -12,15 +12,15 @@ namespace {
 
 using ::testing::HasSubstr;
 
-TEST(HoldingFactor, IsFoundToWithinAHundredth) {
+TEST(CriticalFactor, IsFoundToWithinAHundredth) {
   for (const double border : {1.003, 1.7, 2.0, 100.0, 1000.0}) {
-    const HoldingFactor factor = holding_factor([&](double tried) { return tried >= border; });
+    const CriticalFactor factor = critical_factor([&](double tried) { return tried >= border; });
     ASSERT_TRUE(factor.found) << border;
     EXPECT_GE(factor.holds, border);
     EXPECT_LT(factor.breaks, border);
     EXPECT_LE(factor.holds / factor.breaks, 1.01);
   }
-  EXPECT_FALSE(holding_factor([](double) { return false; }).found);
+  EXPECT_FALSE(critical_factor([](double) { return false; }).found);
 }
 
 /// One of each shape that has a thickness, turned and held at one side.
@@ -121,17 +121,17 @@ TEST(Holding, ThicknessHoldsABeamAsItsBendingStressFalls) {
   const NodeId node = advance_to_crack(timeline);
   ASSERT_TRUE(node.valid());
   const RunToCrack run = run_to_crack(timeline, node);
-  EXPECT_FALSE(stands(run)) << "unchanged";
-  const std::optional<HoldingFactor> thickness = thickness_that_holds(run);
+  EXPECT_FALSE(node_holds(run)) << "unchanged";
+  const std::optional<CriticalFactor> thickness = critical_thickness_factor(run);
   ASSERT_TRUE(thickness && thickness->found);
-  EXPECT_FALSE(stands(thickened(run, thickness->breaks)));
-  EXPECT_TRUE(stands(thickened(run, thickness->holds)));
+  EXPECT_FALSE(node_holds(thickened(run, thickness->breaks)));
+  EXPECT_TRUE(node_holds(thickened(run, thickness->holds)));
   // It breaks at step n of a growing load and is to stand .1 s longer: σ = 3 ρ a L²/h is kept by h in proportion to a.
   const double time_step = run.scene.simulation.time_step;
   const double steps = static_cast<double>(run.steps + 1);
   const double growth = (steps + 0.1 / time_step) / steps;
   EXPECT_NEAR(thickness->holds, growth, 0.1 * growth);
-  EXPECT_FALSE(slowness_that_holds(run)) << "nothing flies";
+  EXPECT_FALSE(critical_speed_factor(run)) << "nothing flies";
 }
 
 TEST(Holding, SlowerShotsLeaveANodeWhole) {
@@ -139,11 +139,11 @@ TEST(Holding, SlowerShotsLeaveANodeWhole) {
   const NodeId node = advance_to_crack(timeline);
   ASSERT_TRUE(node.valid());
   const RunToCrack run = run_to_crack(timeline, node);
-  const std::optional<HoldingFactor> slowness = slowness_that_holds(run);
-  ASSERT_TRUE(slowness && slowness->found);
-  EXPECT_GT(slowness->holds, 1);
-  EXPECT_FALSE(stands(slowed(run, slowness->breaks)));
-  EXPECT_TRUE(stands(slowed(run, slowness->holds)));
+  const std::optional<CriticalFactor> speed = critical_speed_factor(run);
+  ASSERT_TRUE(speed && speed->found);
+  EXPECT_GT(speed->holds, 1);
+  EXPECT_FALSE(node_holds(slowed(run, speed->breaks)));
+  EXPECT_TRUE(node_holds(slowed(run, speed->holds)));
   EXPECT_DOUBLE_EQ(slowed(run, 2).scene.projectiles[0].speed, run.scene.projectiles[0].speed / 2);
 }
 
@@ -159,8 +159,8 @@ TEST(Holding, ABodyDoesNotGrowIntoAnother) {
   const NodeId node = advance_to_crack(timeline);
   ASSERT_TRUE(node.valid());
   try {
-    thickness_that_holds(run_to_crack(timeline, node));
-    FAIL() << "it grows by more than a centimetre";
+    critical_thickness_factor(run_to_crack(timeline, node));
+    FAIL() << "it grows by more than a centimeter";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("console"));
   }
@@ -172,13 +172,13 @@ TEST(Holding, TheReportSaysWhatWasFoundAndWhatWasNot) {
   run.node = NodeId(7);
   HoldingAnswer answer;
   answer.strength = {1.24, 1.25, true, true, 6};
-  answer.slowness = HoldingFactor{1.9, 2, true, true, 8};
+  answer.speed = CriticalFactor{1.9, 2, true, true, 8};
   ui::WorkReport report = holding_report(answer, run);
   EXPECT_THAT(report.title, HasSubstr("node 7"));
   EXPECT_THAT(report.facts[0], HasSubstr("1.25 times the strength"));
   EXPECT_THAT(report.facts[1], HasSubstr("20 m/s instead of 40 m/s"));
   EXPECT_TRUE(report.warnings.empty());
-  answer.slowness.reset();
+  answer.speed.reset();
   answer.cancelled = true;
   report = holding_report(answer, run);
   EXPECT_EQ(report.facts.size(), 2u) << "what was not tried is not told";

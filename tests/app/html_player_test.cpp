@@ -48,7 +48,7 @@ Bake flying_blocks() {
   for (int frame = 0; frame < 6; ++frame) bake.times.push_back(frame / 60.0);
   bake.materials = {{"outside", Vec3(0.8, 0.2, 0.1), 1, 0.8}, {"inside", Vec3(0.9, 0.8, 0.7), 0.4, 0.1}};
   for (int i = 0; i < 3; ++i) {
-    BakedThing& block = bake.things.emplace_back();
+    BakedObject& block = bake.objects.emplace_back();
     block.name = "row_" + std::to_string(i);
     block.scene_body = 0;
     block.mass = 1.5 + i;
@@ -59,7 +59,7 @@ Bake flying_blocks() {
       block.poses.push_back(
           {Vec3((i - 1) * (1 + 0.1 * frame), 0.5, 0), Quat(Eigen::AngleAxisd(0.1 * frame * (i - 1), Vec3::UnitY()))});
   }
-  BakedThing& shot = bake.things.emplace_back();
+  BakedObject& shot = bake.objects.emplace_back();
   shot.name = "shot";
   shot.first_frame = 2;
   shot.mesh = box(Vec3::Constant(0.2));
@@ -110,18 +110,18 @@ TEST(HtmlPlayer, HoldsTheNumbersOfTheBake) {
   const std::vector<float> floats = numbers_of<float>(page, "floats");
   const std::vector<std::uint32_t> indices = numbers_of<std::uint32_t>(page, "indices");
   std::size_t at = 0, index = 0;
-  for (std::size_t i = 0; i < bake.things.size(); ++i) {
-    const BakedThing& thing = bake.things[i];
-    EXPECT_EQ(header["things"][i]["pointCount"], thing.mesh.points.size());
-    EXPECT_EQ(header["things"][i]["breakTime"].is_null(), !thing.break_time);
-    for (const auto* vectors : {&thing.mesh.points, &thing.mesh.normals})
+  for (std::size_t i = 0; i < bake.objects.size(); ++i) {
+    const BakedObject& object = bake.objects[i];
+    EXPECT_EQ(header["objects"][i]["pointCount"], object.mesh.points.size());
+    EXPECT_EQ(header["objects"][i]["breakTime"].is_null(), !object.break_time);
+    for (const auto* vectors : {&object.mesh.points, &object.mesh.normals})
       for (const Vec3& vector : *vectors)
         for (const double value : vector) EXPECT_EQ(floats[at++], static_cast<float>(value));
-    for (const Pose& pose : thing.poses) {
+    for (const Pose& pose : object.poses) {
       for (const double value : pose.translation) EXPECT_EQ(floats[at++], static_cast<float>(value));
       for (const double value : pose.rotation.coeffs()) EXPECT_EQ(floats[at++], static_cast<float>(value));
     }
-    for (const auto& triangle : all_triangles(thing.mesh))
+    for (const auto& triangle : all_triangles(object.mesh))
       for (const int corner : triangle) EXPECT_EQ(indices[index++], static_cast<std::uint32_t>(corner));
   }
   EXPECT_EQ(at, floats.size());
@@ -163,7 +163,7 @@ TEST_F(HtmlPlayerInBrowser, PlaysStepsPicksAndTells) {
     player.setFrame(2.5);
     player.draw();
     result.there = player.there;
-    result.pose = poseAt(player.bake.things[2], 2.5);
+    result.pose = poseAt(player.bake.objects[2], 2.5);
     result.clock = document.getElementById('clock').textContent;
     dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowRight'}));
     result.stepped = player.frame;
@@ -222,7 +222,7 @@ TEST_F(HtmlPlayerInBrowser, OpensAsItsAddressSays) {
 
 TEST_F(HtmlPlayerInBrowser, DeformedPointsAreFollowed) {
   Bake bake = flying_blocks();
-  BakedThing& block = bake.things[0];
+  BakedObject& block = bake.objects[0];
   for (int frame = 0; frame < 6; ++frame) {
     block.deformed_points.push_back(block.mesh.points);
     for (Vec3& point : block.deformed_points.back()) point.x() *= 1 + 0.2 * frame;
@@ -230,8 +230,8 @@ TEST_F(HtmlPlayerInBrowser, DeformedPointsAreFollowed) {
   const Json result = in_browser("deformed", bake, R"(
     player.setFrame(2.5);
     player.draw();
-    const thing = player.bake.things[0], [vertex, point] = thing.vertices[0];
-    result.ratio = player.view.vertices[8 * vertex] / thing.points[3 * point];)");
+    const object = player.bake.objects[0], [vertex, point] = object.vertices[0];
+    result.ratio = player.view.vertices[8 * vertex] / object.points[3 * point];)");
   ASSERT_FALSE(result.contains("error")) << result;
   EXPECT_NEAR(result["ratio"], 1.5, 1e-5);
 }

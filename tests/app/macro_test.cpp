@@ -189,7 +189,7 @@ TEST_F(MacroTest, LinesThatDoNotFitTheSceneAreNamed) {
   EXPECT_THAT(failure("set gravity"), HasSubstr("lacks a value"));
   EXPECT_THAT(failure("projectile speed fast"), HasSubstr("a.script:1"));
   EXPECT_THAT(failure("choose nobody"), HasSubstr("the scene has no \"nobody\""));
-  EXPECT_THAT(failure("look 1 2 3 1 2 3"), HasSubstr("looks from where it looks at"));
+  EXPECT_THAT(failure("look 1 2 3 1 2 3"), HasSubstr("has the eye at the target"));
   EXPECT_EQ(scene_text(), before);
 }
 

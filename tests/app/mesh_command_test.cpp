@@ -68,7 +68,7 @@ TEST(MeshCommand, TetsNeedNoFillingAndTheirQualityIsTold) {
   const auto mesh = test_file("pyramid.msh", kTets);
   const Outcome told = run_program("mesh " + mesh.string());
   EXPECT_EQ(told.code, 0) << told.output;
-  EXPECT_THAT(told.output, HasSubstr("a scene takes the file as the shape {\"mesh\": {\"path\": \"pyramid.msh\"}}"));
+  EXPECT_THAT(told.output, HasSubstr("scenes can use the file as the shape {\"mesh\": {\"path\": \"pyramid.msh\"}}"));
   EXPECT_THAT(told.output, HasSubstr("dihedral angles"));
   EXPECT_THAT(told.output, HasSubstr("pyramid.msh: 1 pyramid split into 2 tetrahedra; no volume is skipped"));
   EXPECT_THAT(told.output, HasSubstr("1 triangle skipped: no volume"));

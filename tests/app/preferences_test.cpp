@@ -76,7 +76,7 @@ TEST(RecentFiles, TheNewestIsFirstOnceAndWhatIsGoneIsPassedBy) {
 }
 
 TEST_F(EditorTest, OpenedScenesAreInTheMenuOfRecentOnes) {
-  editor_.keep_edits_safe(test_folder() / "states");
+  editor_.enable_autosave(test_folder() / "states");
   editor_.open(small_wall_file());
   wait_for_work();
   click("menu/File");

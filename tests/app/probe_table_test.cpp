@@ -92,7 +92,7 @@ TEST(CheckCommand, WarnsOfALoadThatActsOnNothingAndCallsTheSceneGood) {
   const Outcome outcome = run_program("check " + path.string());
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.output, HasSubstr("warning: " + path.string() + "#/bodies/0/loads/0/region: holds no node"));
-  EXPECT_THAT(outcome.output, HasSubstr("loaded.json: good"));
+  EXPECT_THAT(outcome.output, HasSubstr("loaded.json: valid"));
 }
 
 }  // namespace

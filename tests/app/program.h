@@ -21,7 +21,7 @@ std::filesystem::path test_folder();
 /// Writes text into a file of the test's folder.
 std::filesystem::path test_file(const std::string& name, const std::string& text);
 
-/// Makes the scene's first body one that is filled from a surface of the test's folder, in elements of half a metre.
+/// Makes the scene's first body one that is filled from a surface of the test's folder, in elements of half a meter.
 void fill_surface(Scene& scene, const std::string& file);
 
 /// A small brick wall, held at its foot, about to be hit.

@@ -20,7 +20,7 @@ TEST(Quantile, IsWhatLiesThereAmongTheSortedValues) {
   const std::vector<float> values = {7, none, 3, 9, -endless, 1, 5, endless};
   EXPECT_EQ(quantile(finite(values), 0), 1);
   EXPECT_EQ(quantile(finite(values), 0.5), 5);
-  EXPECT_FLOAT_EQ(quantile(finite(values), 0.6f), 5.8f) << "between neighbours in proportion";
+  EXPECT_FLOAT_EQ(quantile(finite(values), 0.6f), 5.8f) << "between neighbors in proportion";
   EXPECT_EQ(quantile(finite(values), 1), 9);
   EXPECT_EQ(quantile(values, 0), -endless);
   EXPECT_EQ(quantile(values, 0.5), 5);

@@ -16,7 +16,7 @@ using ui::CommandId;
 TEST_F(EditorTest, EveryCommandThatMakesNoSenseSaysWhyAndDoesNothing) {
   int refused = 0;
   for (const ui::CommandInfo& info : ui::command_registry()) {
-    const std::string reason(editor_.why_not(info.id));
+    const std::string reason(editor_.disabled_reason(info.id));
     if (reason.empty()) continue;
     const Scene scene = editor_.scene();
     editor_.execute({.id = info.id});
@@ -31,13 +31,13 @@ TEST_F(EditorTest, EveryCommandThatMakesNoSenseSaysWhyAndDoesNothing) {
 
 TEST_F(EditorTest, AShortcutThatMakesNoSenseSaysWhyUntilSomethingElseIsDone) {
   press_key('E', true);
-  EXPECT_EQ(value("status/message"), "Export run…: No step was made yet.");
+  EXPECT_EQ(value("status/message"), "Export run…: No step has been made yet.");
   const std::size_t lines = editor_.state().log.size();
   press_key('E', true);
   EXPECT_EQ(editor_.state().log.size(), lines) << "once is enough";
-  EXPECT_EQ(value("status/message"), "Export run…: No step was made yet.");
+  EXPECT_EQ(value("status/message"), "Export run…: No step has been made yet.");
   click("command/simulation.step");
-  EXPECT_THAT(value("status/message"), ::testing::Not(HasSubstr("No step was made")));
+  EXPECT_THAT(value("status/message"), ::testing::Not(HasSubstr("No step has been made")));
   press_key('E', true);
   EXPECT_TRUE(editor_.state().save_as) << "now there is something to export";
 }
@@ -82,12 +82,12 @@ TEST(RefusedCommand, AScriptSavesWhereItSays) {
   EXPECT_EQ(read_scene(copy).name, "small wall");
   const Outcome again = run_program("script " + script.string() + " " + wall.string());
   EXPECT_EQ(again.code, 2) << "nobody was asked whether the file may go";
-  EXPECT_THAT(again.output, HasSubstr("file.save was not done"));
+  EXPECT_THAT(again.output, HasSubstr("file.save is waiting"));
   EXPECT_THAT(again.output, HasSubstr("replace/replace"));
   const fs::path early = test_file("early.script", "command file.export " + (test_folder() / "run.glb").string());
   const Outcome exported = run_program("script " + early.string() + " " + wall.string());
   EXPECT_EQ(exported.code, 2);
-  EXPECT_THAT(exported.output, HasSubstr("No step was made yet"));
+  EXPECT_THAT(exported.output, HasSubstr("No step has been made yet"));
 }
 
 }  // namespace

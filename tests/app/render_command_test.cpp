@@ -75,7 +75,7 @@ TEST(RenderCommand, NodeIsExplainedAndOneThatIsNotThereRefused) {
                              " --size 200x120 --frame 6 --view candidate_plane+element_forces --node ";
   const Outcome outcome = run_program(common + "3");
   EXPECT_EQ(outcome.code, 0) << outcome.output;
-  for (const char* part : {"Node 3, step 6", "resistance", "plane across", "eigenvalues", "adds to the load"})
+  for (const char* part : {"Node 3, step 6", "resistance", "plane across", "eigenvalues", "contribution"})
     EXPECT_NE(outcome.output.find(part), std::string::npos) << part;
   const Outcome refused = run_program(common + "99999");
   EXPECT_EQ(refused.code, 2);
@@ -213,7 +213,7 @@ TEST(RenderCommand, VideoHasAllPicturesOrFfmpegIsToldToBeMissing) {
   }
   const Outcome missing = run_program(command, "env PATH=/nonexistent");
   EXPECT_EQ(missing.code, 2);
-  EXPECT_NE(missing.output.find("there is no ffmpeg"), std::string::npos) << missing.output;
+  EXPECT_NE(missing.output.find("ffmpeg is missing"), std::string::npos) << missing.output;
 }
 
 TEST(RenderCommand, ArgumentsThatDoNotGoTogetherAreRefused) {

@@ -152,7 +152,7 @@ TEST(SceneCard, TellsWhatAFileHoldsOrWhatIsWrongWithIt) {
   folder_of_two();
   const ui::SceneCard wall = scene_card(small_wall_file()), notes = scene_card(test_folder() / "notes.json");
   EXPECT_EQ(wall.title, "small wall");
-  EXPECT_EQ(wall.topic, "Struck while held");
+  EXPECT_EQ(wall.topic, "Impact on supported bodies");
   EXPECT_TRUE(wall.readable);
   EXPECT_EQ(notes.title, "notes");
   EXPECT_FALSE(notes.readable);

@@ -65,8 +65,8 @@ TEST(Script, MistakesNameTheirLineAndTheRemedy) {
   EXPECT_THAT(problem_of("click viewport twice"), HasSubstr("left, right or middle"));
   EXPECT_THAT(problem_of("step 0"), HasSubstr("from 1 to"));
   EXPECT_THAT(problem_of("step 99999999999999999999"), HasSubstr("from 1 to"));
-  EXPECT_THAT(problem_of("key Ctrl+Qq"), HasSubstr("names no key"));
-  EXPECT_THAT(problem_of("say \"without end"), HasSubstr("quote without an end"));
+  EXPECT_THAT(problem_of("key Ctrl+Qq"), HasSubstr("is not a key"));
+  EXPECT_THAT(problem_of("say \"without end"), HasSubstr("unterminated quote"));
   EXPECT_THAT(problem_of("expect a b c"), HasSubstr("\"c\" at its end"));
   EXPECT_THAT(problem_of("screenshot out.jpg"), HasSubstr(".png"));
 }
@@ -137,10 +137,10 @@ TEST_F(ScriptPlayerTest, OpensAndWaitsForTheWorld) {
 
 TEST_F(ScriptPlayerTest, WhatIsNotAsExpectedNamesItsLine) {
   EXPECT_THAT(failure_of("wait\nexpect toolbar/step \"step 7\""),
-              HasSubstr("a.script:2: toolbar/step shows \"step 0\" and not \"step 7\""));
+              HasSubstr("a.script:2: toolbar/step shows \"step 0\" instead of \"step 7\""));
   EXPECT_THAT(failure_of("command edit.redo"),
-              HasSubstr("a.script:1: edit.redo makes no sense now (No edit was undone.)"));
-  EXPECT_THAT(failure_of("command file.fill_surface"), HasSubstr("No file of a surface"));
+              HasSubstr("a.script:1: edit.redo is disabled (There is no edit to redo.)"));
+  EXPECT_THAT(failure_of("command file.fill_surface"), HasSubstr("No surface file"));
   EXPECT_THAT(failure_of("click no/such"), HasSubstr("a.script:1: there is no widget \"no/such\""));
 }
 

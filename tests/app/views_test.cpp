@@ -223,7 +223,7 @@ TEST_F(ViewsTest, LabelsStandWhereTheirPlacesAreSeen) {
 TEST_F(ViewsTest, SliceHidesTheSideThatItsNormalPointsTo) {
   const render::DrawScene cut = drawn(*struck_, "slice");
   ASSERT_TRUE(cut.visible);
-  EXPECT_GT(cut.visible->normal.z(), 0.99f);  // towards the eye
+  EXPECT_GT(cut.visible->normal.z(), 0.99f);  // toward the eye
   EXPECT_NEAR(cut.visible->offset, 0, 0.05);
 }
 

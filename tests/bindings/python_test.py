@@ -225,6 +225,10 @@ class Studies(unittest.TestCase):
         with self.assertRaisesRegex(griffith.InputError, "speed"):
             griffith.sweep(SHOT_WALL, 1, {"/projectiles/0/speed": [-1]}, processes=1)
 
+    def test_the_program_of_the_readme_breaks_a_pane(self):
+        program = [sys.executable, SOURCE / "examples" / "python" / "shot.py"]
+        self.assertIn(".", subprocess.run(program, cwd=SOURCE, capture_output=True, text=True, check=True).stdout)
+
     def test_strength_is_that_of_the_material(self):
         measured, exact = example("strength_test").breaking_stress()
         self.assertAlmostEqual(measured / exact, 1, delta=0.02)

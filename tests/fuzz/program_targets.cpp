@@ -134,7 +134,7 @@ class SweepTarget : public Target {
     const ThreadLimit one(1);
     const TemporaryFolder folder;
     write_input({"input.json", {{"input.json", kWall}}}, folder.path() / "input");
-    app::take_up(sweep_in(folder.path() / "input"));
+    app::prepare_folder(sweep_in(folder.path() / "input"));
     plan_ = read_file(folder.path() / "input/sweep/plan.json");
     record_ = app::record_json({app::Outcomes(app::outcome_kinds().size(), 1.5), ""});
   }
@@ -155,13 +155,13 @@ class SweepTarget : public Target {
   Outcome run(const Input&, const fs::path& folder) const override {
     const app::Sweep sweep = sweep_in(folder);
     const app::FolderLock lock(sweep.folder);
-    app::take_up(sweep);
+    app::prepare_folder(sweep);
     const auto records = app::read_records(sweep);
     app::missing_runs(sweep);
     const std::string csv = app::outcome_csv(sweep, records);
     promise(csv.find("\n=") == std::string::npos && csv.find(",=") == std::string::npos, "a table holds a formula");
     promise(!has_controls(app::sweep_page(sweep, records, "")), "a page has control characters");
-    app::forget_failed_runs(sweep);
+    app::remove_failed_records(sweep);
     return Outcome::ran;
   }
 

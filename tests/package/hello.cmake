@@ -3,6 +3,13 @@ cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 build_project(${SOURCE}/examples/hello ${WORK}/hello)
 expect_same_run(${WORK}/hello/hello)
+# The program of README.md breaks a pane.
+execute_process(COMMAND ${WORK}/hello/shot WORKING_DIRECTORY ${SOURCE} OUTPUT_VARIABLE masses COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL "kg" pieces "${masses}")
+list(LENGTH pieces count)
+if(count LESS 2)
+  message(SEND_ERROR "nothing broke:\n${masses}")
+endif()
 build_project(${SOURCE}/examples/hello ${WORK}/hello_native -DCMAKE_BUILD_TYPE=Release
               "-DCMAKE_CXX_FLAGS=-march=native -ffp-contract=fast")
 expect_same_run(${WORK}/hello_native/hello)

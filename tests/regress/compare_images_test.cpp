@@ -23,7 +23,7 @@ void add_to(Image& image, const PixelRect& rect, int by, std::size_t channel = 1
 TEST(CompareImages, EqualOnesPass) {
   const ImageComparison comparison = compare_images(grey(320, 180), grey(320, 180));
   EXPECT_TRUE(comparison.passed && comparison.equal);
-  EXPECT_EQ(comparison.reason, "equal to the byte");
+  EXPECT_EQ(comparison.reason, "identical");
 }
 
 TEST(CompareImages, OtherSizesFail) {

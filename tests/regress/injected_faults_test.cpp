@@ -166,7 +166,7 @@ TEST_F(InjectedFaults, APieceThatIsMissingIsSeenInTheIds) {
   EXPECT_NE(comparison.reason.find("gone: "), std::string::npos) << comparison.reason;
 }
 
-/// Adds to some of the pixels: 34 of 921,600 any colour, as llvmpipe does on another generation of processors.
+/// Adds to some of the pixels: 34 of 921,600 any color, as llvmpipe does on another generation of processors.
 Image with_sparse_noise(Image image, std::mt19937& random) {
   const int count = static_cast<int>(std::ceil(34.0 * image.width * image.height / 921600));
   for (int i = 0; i < count; ++i) {

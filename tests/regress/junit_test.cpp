@@ -36,16 +36,15 @@ TEST(JUnit, AParserReadsWhatHappened) {
   const std::string name = "<b>&\"'</b>\uFFFD[31m\uFFFD";
   std::vector<PictureResult> results = one_of_each();
   results[3].reason = "100 pixels are off";
-  EXPECT_EQ(
-      parsed(junit_xml("suite <1>", results)),
-      "suite <1>|4|2|1|0|1.000\n"
-      "suite <1>|as ever|0.250|passed\n"
-      "suite <1>|not drawn " +
-          name + "|0.250|error|error|scenes/x.json: there is no such file\n" +
-          "suite <1>|new one|0.250|failure|missing_golden|There is no golden picture. Look at this one, and accept "
-          "it if it is right.\n"
-          "suite <1>|moved " +
-          name + "|0.250|failure|failed|100 pixels are off\n");
+  EXPECT_EQ(parsed(junit_xml("suite <1>", results)),
+            "suite <1>|4|2|1|0|1.000\n"
+            "suite <1>|as ever|0.250|passed\n"
+            "suite <1>|not drawn " +
+                name + "|0.250|error|error|scenes/x.json: there is no such file\n" +
+                "suite <1>|new one|0.250|failure|missing_golden|There is no golden picture. Look at this one and "
+                "accept it if it is correct.\n"
+                "suite <1>|moved " +
+                name + "|0.250|failure|failed|100 pixels are off\n");
 }
 
 TEST(JUnit, NoPicturesAreASuiteToo) { EXPECT_EQ(parsed(junit_xml("none", {})), "none|0|0|0|0|0.000\n"); }

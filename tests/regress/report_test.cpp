@@ -113,8 +113,7 @@ TEST(PictureResults, ChangedFieldsOfTheSceneAreNamed) {
   EXPECT_THAT(report_of({changed}), HasSubstr("<tr class=\"differs\"><td>projectiles/0/speed</td><td>10</td>"
                                               "<td>12</td></tr>"));
   const PictureResult same = compare_pictures("a", picture_of_scene(10), picture_of_scene(10, 31));
-  EXPECT_THAT(same.reason,
-              HasSubstr("No field of the scene changed: the program did, or a file that the scene names."));
+  EXPECT_THAT(same.reason, HasSubstr("No field of the scene changed; the program or a file of the scene did."));
   const PictureResult unknown = compare_pictures("a", some_picture(), picture_of_scene(10, 31));
   EXPECT_THAT(unknown.reason, Not(HasSubstr("of the scene")));
   EXPECT_EQ(compare_pictures("a", picture_of_scene(10), picture_of_scene(12)).status, PictureStatus::passed)
@@ -125,7 +124,7 @@ TEST(PictureResults, TextAndIdsFailByThemselves) {
   RegressionPicture other = some_picture();
   other.text += "label 5\n";
   EXPECT_EQ(compare_pictures("a", some_picture(), other).reason,
-            "Picture: equal to the byte. Text: 1 line is removed or added.");
+            "Picture: identical. Text: 1 line is removed or added.");
   other = some_picture();
   other.ids.ids.assign(96 * 64, 4);
   EXPECT_EQ(compare_pictures("a", some_picture(), other).status, PictureStatus::failed);

@@ -198,7 +198,7 @@ TEST_F(EmbeddedPassTest, AMaterialLooksTheSameWhereverItStandsInTheList) {
   first.embedded.piece_colors.clear();
   EmbeddedMaterial material, other;
   material.color = {0.5f, 0.8f, 0.7f};
-  material.fibre = {0.3f, 0.2f, 0.1f};
+  material.fiber = {0.3f, 0.2f, 0.1f};
   DrawScene third = first;
   EmbeddedMesh mesh = *first.embedded.mesh;
   for (EmbeddedCorner& corner : mesh.corners) corner.style += EmbeddedStyle{2}.packed();

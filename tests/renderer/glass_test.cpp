@@ -19,7 +19,7 @@ class GlassTest : public RendererFixture {
   }
 };
 
-/// A sheet of clear matter that thick [m] across the line of sight, and a grey square behind it.
+/// A sheet of clear matter that thick [m] across the line of sight, and a gray square behind it.
 DrawScene sheet(const Camera& camera, const Rgb& color, float thickness) {
   DrawScene scene;
   const auto add = [&](std::vector<Vector3f> corners, std::int32_t id, bool clear, bool turned) {
@@ -162,7 +162,7 @@ TEST_F(GlassTest, HasNoHolesOnTheGround) {
         off += std::abs(lying.pixel(x, y)[0] - above.pixel(x, y)[0]) > 4;
       }
     EXPECT_GT(inside, 2500);
-    EXPECT_EQ(holes, 0) << bottom << ": pixels that do not show its colour";
+    EXPECT_EQ(holes, 0) << bottom << ": pixels that do not show its color";
     EXPECT_EQ(off, 0) << bottom;
   }
 }

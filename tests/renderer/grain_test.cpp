@@ -149,7 +149,7 @@ TEST_F(GrainTest, IsSeenOnFacesThatAreTurnedAway) {
     EXPECT_GT(contrast(drawn_from(surface, seen_at(degrees))), 0.5 * straight) << degrees;
 }
 
-/// From afar a body is about as bright as from near: the mean of a grain's colours is that of its material.
+/// From afar a body is about as bright as from near: the mean of a grain's colors is that of its material.
 TEST_F(GrainTest, KeepsTheMeanBrightness) {
   const auto brightness = [](const Image& image) {
     double sum = 0;

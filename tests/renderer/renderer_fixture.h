@@ -60,7 +60,7 @@ inline double off_fraction(const Image& a, const Image& b) {
   return off / (static_cast<double>(a.width) * a.height);
 }
 
-/// Triangles of a square across the line of sight that fills the picture, `nearer` metres before the camera's target.
+/// Triangles of a square across the line of sight that fills the picture, `nearer` meters before the camera's target.
 inline std::vector<Eigen::Vector3f> filling_square(const Camera& camera, float nearer = 0) {
   const Eigen::Vector3f forward = (camera.target - camera.position).normalized();
   const Eigen::Vector3f right = forward.cross(Eigen::Vector3f::UnitY()).normalized(), up = right.cross(forward);

@@ -70,7 +70,7 @@ TEST_F(RendererTest, IdsAreThoseOfWhatIsSeen) {
     DrawScene scene = wall_scene();
     scene.spheres[0].center = camera().target;
     picture(scene, how);
-    // The wall's nearest face is 15 cm before the ball's centre, its radius 22 cm.
+    // The wall's nearest face is 15 cm before the ball's center, its radius 22 cm.
     EXPECT_EQ(renderer_->id_at(kWidth / 2, kHeight / 2), kBallId);
     EXPECT_EQ(renderer_->id_at(2, 2), kNoId);
     EXPECT_EQ(renderer_->id_at(-1, 5), kNoId);
@@ -201,7 +201,7 @@ TEST_F(RendererTest, PuffsGrowFaintTowardsWhatTheyLieOn) {
   EXPECT_GT(effect(Quality::draft, 0.01f), 50);
 }
 
-/// Each changes a pixel by less than a step of its colour; together they must change all three channels in proportion.
+/// Each changes a pixel by less than a step of its color; together they must change all three channels in proportion.
 /// Rounded to the nearest step, green and blue would be some 50 steps off.
 TEST_F(RendererTest, ManyFaintPuffsFadeInTheirOwnHue) {
   constexpr int kPuffs = 200;

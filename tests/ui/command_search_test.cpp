@@ -80,7 +80,7 @@ TEST_F(PaletteTest, ArrowsChooseAndStopAtTheEnds) {
 
 TEST_F(PaletteTest, WhatMakesNoSenseSaysWhyAndStays) {
   write("redo");
-  EXPECT_EQ(ui_.value("palette/help"), "No edit was undone.");
+  EXPECT_EQ(ui_.value("palette/help"), "There is no edit to redo.");
   ui_.press_key(key::kEnter);
   EXPECT_TRUE(ui_.commands.empty());
   EXPECT_TRUE(ui_.state.palette.shown);

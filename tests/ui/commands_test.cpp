@@ -122,7 +122,7 @@ TEST(Commands, ShortcutsDoNotReachBehindADialog) {
       [](EditorState& state) {
         state.replacement = Replacement{{.id = CommandId::save}, "It is there."};
       },
-      [](EditorState& state) { state.left_edits = "scene.json"; },
+      [](EditorState& state) { state.recoverable_edits = "scene.json"; },
       [](EditorState& state) { state.show_surface = true; },
       [](EditorState& state) { state.show_preferences = true; },
       [](EditorState& state) { state.asked_steps = 10; },
@@ -144,7 +144,7 @@ TEST(Commands, ShortcutsDoNotReachBehindADialog) {
 
 TEST(Commands, KeysPressedWhileWorkGoesOnWaitForItInTheirOrder) {
   UiDriver ui(two_walls());
-  ui.state.work = "Building the bodies";
+  ui.state.work = "Building bodies";
   for (int i = 0; i < 3; ++i) ui.frame();
   ui.press_key(key::kDelete);
   ui.press_key(key::kDelete);
@@ -154,7 +154,7 @@ TEST(Commands, KeysPressedWhileWorkGoesOnWaitForItInTheirOrder) {
   ui.state.work.clear();
   ui.frame();
   EXPECT_THAT(ui.issued(), ::testing::ElementsAre(CommandId::remove)) << "which may make work again";
-  ui.state.work = "Building the bodies";
+  ui.state.work = "Building bodies";
   for (int i = 0; i < 3; ++i) ui.frame();
   EXPECT_EQ(ui.issued().size(), 1u);
   ui.state.work.clear();

@@ -80,7 +80,7 @@ TEST(EditorLayout, NonsenseAndEscapeLeaveTheValue) {
   ui.click("material/density", 1);
   ui.type("heavy");
   EXPECT_EQ(ui.value("field_note"),
-            "\"heavy\" is not a number of kg/m³. 0.01 kg/m³ to 1e+06 kg/m³ is possible. The value stays.");
+            "\"heavy\" is not a number of kg/m³. Allowed: 0.01 kg/m³ to 1e+06 kg/m³. The value was not changed.");
   ui.click("material/density", 1);
   ui.press_key(key::kEscape);
   EXPECT_EQ(ui.history.scene(), two_walls());

@@ -74,7 +74,7 @@ TEST(DeepOverlap, IsOneThatIsLargeBesideWhatTouches) {
   EXPECT_NE(text.find("6 mm"), std::string::npos) << text;
   EXPECT_NE(text.find("shorter time step"), std::string::npos) << text;
   pane.touch(Vec3::UnitX(), 0.015);
-  EXPECT_FALSE(deep_overlap(pane.frame)) << "along its metre that is little";
+  EXPECT_FALSE(deep_overlap(pane.frame)) << "along its meter that is little";
   pane.turn(Quat(Eigen::AngleAxisd(M_PI / 2, Vec3::UnitY())));
   EXPECT_TRUE(deep_overlap(pane.frame)) << "it has turned";
 }

@@ -19,7 +19,7 @@ TEST(NumberFields, TypedPoissonRatioStaysBelowOneHalfAndSaysSo) {
     ui.click("material/poisson_ratio", 1);
     ui.type(text);
     EXPECT_EQ(edited_material(ui).poisson_ratio, 0.495) << text;
-    EXPECT_THAT(ui.value("field_note"), ::testing::HasSubstr("is more than 0.495 and was set to it")) << text;
+    EXPECT_THAT(ui.value("field_note"), ::testing::HasSubstr("is above the maximum 0.495 and was set to it")) << text;
     EXPECT_EQ(ui.state.field_note.tag, "material/poisson_ratio");
   }
 }
@@ -35,8 +35,8 @@ TEST(NumberFields, TheMeaningOfWhatIsTypedStandsBesideIt) {
   };
   EXPECT_EQ(meaning_of("0.1"), "= 0.1 mm");
   EXPECT_EQ(meaning_of("12 mm"), "= 12 mm");
-  EXPECT_EQ(meaning_of("3e5 m"), "= 10000000 mm: 100 µm to 10 km is possible.");
-  EXPECT_EQ(meaning_of("wide"), "\"wide\" is not a number of mm. 100 µm to 10 km is possible.");
+  EXPECT_EQ(meaning_of("3e5 m"), "= 10000000 mm. Allowed: 100 µm to 10 km.");
+  EXPECT_EQ(meaning_of("wide"), "\"wide\" is not a number of mm. Allowed: 100 µm to 10 km.");
   ui.press_key(key::kEscape);
   EXPECT_EQ(find_tag(ui.tags, "typed_meaning"), nullptr);
   EXPECT_EQ(find_tag(ui.tags, "field_note"), nullptr);
@@ -76,7 +76,7 @@ TEST(NumberFields, CountsSayWhatTheyTake) {
   ui.click("projectile/count");
   ui.type("20000");
   EXPECT_EQ(ui.state.shot.count, 10000);
-  EXPECT_THAT(ui.value("field_note"), ::testing::HasSubstr("1 to 10000 is possible"));
+  EXPECT_THAT(ui.value("field_note"), ::testing::HasSubstr("Allowed: 1 to 10000"));
 }
 
 /// Every part of a body's and the scene's form is open, and all entries have fields.

@@ -120,7 +120,7 @@ TEST(Outliner, ATakenNameIsRefusedAndEscapeLeavesTheOldOne) {
   begin_renaming(ui, {EntryKind::camera, 0});
   ui.type("side");
   EXPECT_EQ(ui.history.scene(), full_scene());
-  EXPECT_THAT(ui.value("field_note"), HasSubstr("Another one has the name \"side\""));
+  EXPECT_THAT(ui.value("field_note"), HasSubstr("There is already one with the name \"side\""));
   begin_renaming(ui, {EntryKind::camera, 0});
   for (const char letter : {'u', 'p'}) ui.queue.text(static_cast<unsigned>(letter));
   ui.press_key(key::kEscape);

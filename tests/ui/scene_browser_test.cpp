@@ -94,7 +94,7 @@ TEST_F(ScenesDialog, WhatIsTypedNarrowsTheListDown) {
 TEST_F(ScenesDialog, NothingFoundOpensNothing) {
   ui_.type("no such scene");
   EXPECT_TRUE(ui_.commands.empty());
-  EXPECT_EQ(ui_.value("scenes/about"), "No scene has these words.");
+  EXPECT_EQ(ui_.value("scenes/about"), "No scene matches.");
   ui_.press_key(key::kEscape);
   EXPECT_FALSE(ui_.state.browser.shown);
 }

@@ -119,7 +119,7 @@ TEST(ScenePanels, WhatANumberTakesInAFileItTakesInItsPanel) {
   ui.click("body/position/0", 1);
   ui.type("-2e6 m");
   EXPECT_EQ(ui.history.scene().bodies[0].position.x(), place.minimum);
-  EXPECT_THAT(ui.value("field_note"), ::testing::HasSubstr("less than -1 Mm and was set to it"));
+  EXPECT_THAT(ui.value("field_note"), ::testing::HasSubstr("below the minimum -1 Mm and was set to it"));
 }
 
 TEST(ScenePanels, WhatIsNotTakenIsToldAtItsField) {

@@ -11,7 +11,7 @@ Dialog shown_dialog(const EditorState& state) {
   if (state.error) return Dialog::error;
   if (state.large_mesh) return Dialog::large_mesh;
   if (state.report) return Dialog::report;
-  if (!state.left_edits.empty()) return Dialog::left_edits;
+  if (!state.recoverable_edits.empty()) return Dialog::recovery;
   if (state.replacement) return Dialog::replacement;
   if (state.save_as) return Dialog::save_as;
   if (state.unsaved) return Dialog::unsaved;

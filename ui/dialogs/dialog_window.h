@@ -8,14 +8,14 @@ inline constexpr ImGuiWindowFlags kDialogFlags = ImGuiWindowFlags_NoResize | ImG
                                                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings |
                                                  ImGuiWindowFlags_AlwaysAutoResize;
 
-/// One at a time is shown, and nothing else takes orders meanwhile.
+/// Modal dialogs. At most one is open, and it takes all input.
 enum class Dialog {
   none,
   work,
   error,
   large_mesh,
   report,
-  left_edits,
+  recovery,
   replacement,
   save_as,
   unsaved,
@@ -28,16 +28,16 @@ enum class Dialog {
   help
 };
 
-/// The one that is due.
+/// Returns the dialog that is open.
 Dialog shown_dialog(const EditorState& state);
 
-/// Opens the popup when `wanted` and centres it. True while its content is to be drawn, up to ImGui::EndPopup().
+/// Opens the popup when `wanted` and centers it. True while its content is to be drawn, up to ImGui::EndPopup().
 bool begin_dialog(const Panel& panel, const char* title, bool wanted, float design_width);
 
-/// Whether Escape was pressed, and not for a list or a text field of the dialog.
+/// True if Escape was pressed and no list or text field of the dialog takes it.
 bool escape_pressed();
 
-/// Whether Escape has just left the text field drawn last, with nothing typed in it: the key then means the dialog.
+/// True if Escape has just left the text field drawn last with nothing typed in it: the key then closes the dialog.
 bool escape_left_untyped();
 
 }  // namespace griffith::ui

@@ -19,9 +19,9 @@ constexpr std::array<std::pair<const char*, const char*>, 9> kMouseHelp = {{
     {"Wheel", "zoom"},
     {"Click", "inspect a node and its element, select the body"},
     {"Ctrl + drag", "move the slice plane"},
-    {"Right click in the view", "fire the projectile there; hold the button to see its arc first"},
-    {"Click on a number", "type a value: 20, 20 GPa, 2*30+1 mm; Tab goes on, Escape reverts"},
-    {"Drag a number", "change it; Shift: finely, Ctrl: to round values"},
+    {"Right click in the view", "fire the projectile at that point; hold the button to preview its path"},
+    {"Click on a number", "type a value: 20, 20 GPa, 2*30+1 mm; Tab: next field, Escape: cancel"},
+    {"Drag a number", "change it; Shift: fine steps, Ctrl: round values"},
     {"Drop a file", "open a scene"},
 }};
 
@@ -38,20 +38,20 @@ void labelled_text(const char* label, const std::string& text, ImU32 color) {
 
 void error_dialog(Panel& panel) {
   std::optional<ErrorMessage>& error = panel.state.error;
-  if (!begin_dialog(panel, "That did not work", error.has_value(), 480)) return;
+  if (!begin_dialog(panel, "Error", error.has_value(), 480)) return;
   if (error) {
     labelled_text("Where", error->where, palette::kText);
     labelled_text("Problem", error->problem, palette::kError);
     labelled_text("Remedy", error->remedy, palette::kGood);
   }
-  hint(panel, "The program goes on with what it had.");
+  hint(panel, "The program continues with its previous state.");
   ImGui::Spacing();
   if (text_button(panel, "error/close", "Close", 120 * ui_scale(panel)) || escape_pressed()) error.reset();
   if (!error) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
 }
 
-/// What keys have asked for meanwhile: "Then: Delete, Delete".
+/// Names the commands that keys have queued: "Then: Delete, Delete".
 void waiting_line(Panel& panel) {
   std::string text;
   for (const Command& command : panel.state.waiting)
@@ -73,7 +73,7 @@ void work_dialog(Panel& panel) {
   ImGui::EndPopup();
 }
 
-/// Closes the dialog of work that is done: nothing in it says so itself.
+/// Closes the progress dialog once its work is done; nothing else closes it.
 void close_work_dialog() {
   if (!ImGui::IsPopupOpen(kWorkTitle)) return;
   if (ImGui::BeginPopupModal(kWorkTitle, nullptr, kDialogFlags)) {
@@ -175,8 +175,8 @@ void draw_dialogs(Panel& panel) {
       return draw_save_dialog(panel);
     case Dialog::replacement:
       return draw_replacement_dialog(panel);
-    case Dialog::left_edits:
-      return draw_left_edits_dialog(panel);
+    case Dialog::recovery:
+      return draw_recovery_dialog(panel);
     case Dialog::surface:
       return draw_surface_dialog(panel);
     case Dialog::scenes:

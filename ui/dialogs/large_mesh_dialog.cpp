@@ -8,7 +8,7 @@
 namespace griffith::ui {
 namespace {
 
-/// To two digits: it is an estimate.
+/// Rounds an estimate to two digits.
 long long rounded(double count) {
   const double unit = std::pow(10, std::floor(std::log10(std::max(count, 1.0))) - 1);
   return std::llround(std::round(count / unit) * unit);
@@ -18,10 +18,10 @@ long long rounded(double count) {
 
 void draw_large_mesh_dialog(Panel& panel) {
   EditorState& state = panel.state;
-  if (!begin_dialog(panel, "A large mesh", state.large_mesh.has_value(), 480)) return;
+  if (!begin_dialog(panel, "Large mesh", state.large_mesh.has_value(), 480)) return;
   if (state.large_mesh) {
     const std::string text = "The bodies would have about " + count_text(rounded(*state.large_mesh)) +
-                             " tetrahedra. To build them may take minutes and gigabytes, and each step seconds.";
+                             " tetrahedra. Building them may take minutes and gigabytes, and each step seconds.";
     ImGui::TextWrapped("%s", text.c_str());
     tag_last_item(panel.tags, "large_mesh/text", text);
   }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kLinesShown = 12;
 
-/// Moves the choice with the arrow keys; true when it moved.
+/// Moves the choice with the arrow keys. True if it moved.
 bool move_choice(int& chosen, int count) {
   const int before = chosen;
   if (ImGui::IsKeyPressed(key::kDown)) ++chosen;
@@ -21,11 +21,11 @@ bool move_choice(int& chosen, int count) {
   return chosen != before;
 }
 
-/// What the palette offers: a command, or a macro.
+/// An entry of the palette: a command or a macro.
 struct PaletteItem {
   Command command;
   std::string name, title, place, shortcut, hint;
-  std::string why_not;  ///< it makes no sense now; empty: it does
+  std::string disabled_reason;  ///< reason why it cannot run now; empty if it can
 };
 
 PaletteItem item_of(const CommandInfo& info, const Panel& panel) {
@@ -35,10 +35,10 @@ PaletteItem item_of(const CommandInfo& info, const Panel& panel) {
           menu_label(info.menu),
           shortcut_text(info.shortcut),
           std::string(info.hint),
-          std::string(why_not(info, panel))};
+          std::string(disabled_reason(info, panel))};
 }
 
-/// Commands that match, best first, then macros that do.
+/// Returns the commands that match, best first, then the macros that match.
 std::vector<PaletteItem> matching_items(const Panel& panel, std::string_view wanted) {
   std::vector<PaletteItem> items;
   for (const CommandInfo* info : matching_commands(wanted)) items.push_back(item_of(*info, panel));
@@ -56,9 +56,9 @@ std::vector<PaletteItem> matching_items(const Panel& panel, std::string_view wan
   return items;
 }
 
-/// A line of the list: title, menu, shortcut. True when it was clicked.
+/// Draws an entry: title, menu, shortcut. True if it was clicked.
 bool palette_row(Panel& panel, const PaletteItem& item, bool chosen) {
-  const bool enabled = item.why_not.empty();
+  const bool enabled = item.disabled_reason.empty();
   const float width = ImGui::GetContentRegionAvail().x;
   const bool clicked = ImGui::Selectable(("##" + item.name).c_str(), chosen);
   tag_last_item(panel.tags, "palette/" + item.name, item.title, enabled);
@@ -71,9 +71,9 @@ bool palette_row(Panel& panel, const PaletteItem& item, bool chosen) {
   return clicked;
 }
 
-/// What the chosen item does or, where it makes no sense now, why not.
+/// Shows the help of the chosen entry, or the reason why it cannot run now.
 void describe(const Panel& panel, const PaletteItem* chosen) {
-  const std::string reason = chosen ? chosen->why_not : "No command has these letters.";
+  const std::string reason = chosen ? chosen->disabled_reason : "No command matches.";
   const std::string text = reason.empty() ? chosen->hint : reason;
   ImGui::PushTextWrapPos(0);
   ImGui::TextColored(as_vec4(reason.empty() ? palette::kTextDim : palette::kWarning), "%s", text.c_str());
@@ -85,14 +85,14 @@ bool text_field(Panel& panel) {
   Palette& palette = panel.state.palette;
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-FLT_MIN);
-  const bool entered = ImGui::InputTextWithHint("##wanted", "a few letters of a command", palette.text.data(),
+  const bool entered = ImGui::InputTextWithHint("##wanted", "letters of a command", palette.text.data(),
                                                 palette.text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   if (ImGui::IsItemEdited()) palette.chosen = 0;
   tag_last_item(panel.tags, "palette/text", palette.text.data());
   return entered;
 }
 
-/// The item that was clicked, or nullptr.
+/// Draws the list. Returns the clicked entry, or nullptr.
 const PaletteItem* list_of_items(Panel& panel, std::span<const PaletteItem> items) {
   const bool moved = move_choice(panel.state.palette.chosen, static_cast<int>(items.size()));
   const PaletteItem* clicked = nullptr;
@@ -120,7 +120,7 @@ void draw_palette_dialog(Panel& panel) {
     wanted = chosen;
     ImGui::SetKeyboardFocusHere(-1);
   }
-  const bool carried_out = wanted && wanted->why_not.empty();
+  const bool carried_out = wanted && wanted->disabled_reason.empty();
   if (carried_out) issue(panel, wanted->command);
   if (carried_out || ImGui::IsKeyPressed(key::kEscape, false)) {
     palette = {};

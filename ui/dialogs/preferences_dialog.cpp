@@ -10,11 +10,11 @@ void preference_row(Panel& panel, const char* tag, const char* label, const Numb
   number_field_row(panel, {.tag = tag, .label = label, .numbers = numbers}, value);
 }
 
-/// The size is taken when the mouse is let go: the field would run away from it.
+/// Applies the size when the mouse is released: during the drag the field would move away from the cursor.
 void scale_row(Panel& panel) {
   EditorState& state = panel.state;
   if (state.wanted_scale == 0) state.wanted_scale = state.preferences.ui_scale;
-  preference_row(panel, "preferences/ui_scale", "Size of panels", kUiScales, state.wanted_scale);
+  preference_row(panel, "preferences/ui_scale", "Panel size", kUiScales, state.wanted_scale);
   if (!ImGui::IsAnyItemActive()) state.preferences.ui_scale = state.wanted_scale;
 }
 
@@ -26,11 +26,11 @@ void draw_preferences_dialog(Panel& panel) {
   if (!begin_dialog(panel, "Preferences", state.show_preferences, 420)) return;
   scale_row(panel);
   preference_row(panel, "preferences/mouse_speed", "Mouse speed", kMouseSpeeds, preferences.mouse_speed);
-  preference_row(panel, "preferences/autosave", "Copy edits every", kAutosaveIntervals, preferences.autosave_interval);
-  preference_row(panel, "preferences/past_memory", "Memory of the past", kPastMemories, preferences.past_memory);
-  tooltip("The more of it, the fewer steps are made again to go back in time.");
-  checkbox(panel, "preferences/invert_orbit", "Dragging up turns down", preferences.invert_orbit);
-  checkbox(panel, "preferences/invert_zoom", "The wheel zooms the other way", preferences.invert_zoom);
+  preference_row(panel, "preferences/autosave", "Autosave interval", kAutosaveIntervals, preferences.autosave_interval);
+  preference_row(panel, "preferences/past_memory", "Memory for history", kPastMemories, preferences.past_memory);
+  tooltip("With more memory, fewer steps are repeated to go back in time.");
+  checkbox(panel, "preferences/invert_orbit", "Invert vertical orbit", preferences.invert_orbit);
+  checkbox(panel, "preferences/invert_zoom", "Invert wheel zoom", preferences.invert_zoom);
   ImGui::Spacing();
   const float width = 120 * ui_scale(panel);
   if (text_button(panel, "preferences/close", "Close", width) || escape_pressed()) state.show_preferences = false;

@@ -10,26 +10,26 @@ namespace griffith::ui {
 namespace {
 
 constexpr float kButtonWidth = 120;    // design pixels
-constexpr std::size_t kMaxLines = 12;  ///< of the list, before it scrolls
+constexpr std::size_t kMaxLines = 12;  ///< most lines before the list scrolls
 
 void set_name(SaveTarget& target, const std::string& name) {
   target.name = {};
   name.copy(target.name.data(), target.name.size() - 1);
 }
 
-/// The scenes that are there: a click takes the name.
+/// Lists the existing scenes; a click takes the name.
 void name_list(Panel& panel, SaveTarget& target) {
-  if (target.there.empty()) return;
-  const auto lines = static_cast<float>(std::min<std::size_t>(target.there.size(), kMaxLines));
+  if (target.existing.empty()) return;
+  const auto lines = static_cast<float>(std::min<std::size_t>(target.existing.size(), kMaxLines));
   ImGui::BeginChild("##scenes", {0, lines * ImGui::GetTextLineHeightWithSpacing()});
-  for (const std::string& name : target.there) {
+  for (const std::string& name : target.existing) {
     if (ImGui::Selectable(name.c_str(), name == target.name.data())) set_name(target, name);
     tag_last_item(panel.tags, "save/" + name, name);
   }
   ImGui::EndChild();
 }
 
-/// How the dialog goes for a kind of file.
+/// Texts of the dialog for a kind of file.
 struct SavedWords {
   const char* title;
   CommandId save, dialog;
@@ -52,7 +52,7 @@ SavedWords words_of(SavedKind kind) {
   }
 }
 
-/// The dialog that asks for another file than the command has.
+/// Returns the dialog that asks for another file than the command has.
 CommandId dialog_of(CommandId save) {
   for (const SavedKind kind :
        {SavedKind::recording, SavedKind::bug_report, SavedKind::plots, SavedKind::exported, SavedKind::macro})
@@ -80,11 +80,11 @@ void close(bool answered) {
   ImGui::EndPopup();
 }
 
-/// What can be exported, by how the file ends.
+/// Explains the formats by file name extension.
 void export_hint(const Panel& panel) {
-  hint(panel, "Pieces, their motion and what held them: .glb (Blender, Unity, Unreal), .usda (USD), .json, .csv");
-  hint(panel, "In a browser: .html");
-  hint(panel, "What the view shows: .mp4, .webm, .gif (by ffmpeg), .png (a picture a step)");
+  hint(panel, "Pieces, motion and bonds: .glb (Blender, Unity, Unreal), .usda (USD), .json, .csv");
+  hint(panel, "Page for a browser: .html");
+  hint(panel, "The view: .mp4, .webm, .gif (with ffmpeg), .png (one picture per step)");
 }
 
 }  // namespace
@@ -114,7 +114,7 @@ void draw_save_dialog(Panel& panel) {
   ImGui::SetNextItemWidth(-FLT_MIN);
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   const bool entered =
-      ImGui::InputTextWithHint("##name", "name of the file", target->name.data(), target->name.size(),
+      ImGui::InputTextWithHint("##name", "file name", target->name.data(), target->name.size(),
                                ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   const bool left = escape_left_untyped();
   tag_last_item(panel.tags, "save/name", target->name.data());
@@ -123,8 +123,7 @@ void draw_save_dialog(Panel& panel) {
   hint(panel, named ? file.string() : target->folder.string());
   tag_last_item(panel.tags, "save/path", file.string());
   if (target->kind == SavedKind::exported) export_hint(panel);
-  if (target->kind == SavedKind::plots)
-    hint(panel, "Numbers of all steps: .csv; a picture of what the plots show: .png");
+  if (target->kind == SavedKind::plots) hint(panel, "Values of all steps: .csv; picture of the plots: .png");
   ImGui::Spacing();
   const bool pressed = text_button(panel, "save/save", "Save", kButtonWidth * ui_scale(panel));
   const bool saved = (entered || pressed) && named;
@@ -140,7 +139,7 @@ void draw_save_dialog(Panel& panel) {
 void draw_replacement_dialog(Panel& panel) {
   std::optional<Replacement>& replacement = panel.state.replacement;
   if (!begin_dialog(panel, "Replace the file?", replacement.has_value(), 480)) return;
-  ImGui::TextWrapped("%s What it holds would be lost.", replacement->problem.c_str());
+  ImGui::TextWrapped("%s Its content would be lost.", replacement->problem.c_str());
   tag_last_item(panel.tags, "replace/problem", replacement->problem);
   ImGui::Spacing();
   const float width = kButtonWidth * ui_scale(panel);
@@ -160,8 +159,8 @@ void draw_replacement_dialog(Panel& panel) {
 
 void draw_unsaved_dialog(Panel& panel) {
   std::optional<Command>& command = panel.state.unsaved;
-  if (!begin_dialog(panel, "Edits are not saved", command.has_value(), 480)) return;
-  ImGui::TextWrapped("%s would lose them.", command->id == CommandId::quit ? "Quitting" : "Opening another scene");
+  if (!begin_dialog(panel, "Unsaved edits", command.has_value(), 480)) return;
+  ImGui::TextWrapped("%s would discard them.", command->id == CommandId::quit ? "Quitting" : "Opening another scene");
   ImGui::Spacing();
   const float width = kButtonWidth * ui_scale(panel);
   const bool saved = text_button(panel, "unsaved/save", "Save", width);
@@ -180,9 +179,9 @@ void draw_unsaved_dialog(Panel& panel) {
   close(saved || discarded || cancelled);
 }
 
-void draw_left_edits_dialog(Panel& panel) {
-  const std::string& edits = panel.state.left_edits;
-  if (!begin_dialog(panel, "Edits were cut short", !edits.empty(), 520)) return;
+void draw_recovery_dialog(Panel& panel) {
+  const std::string& edits = panel.state.recoverable_edits;
+  if (!begin_dialog(panel, "Recover unsaved edits", !edits.empty(), 520)) return;
   ImGui::TextWrapped("Griffith ended before these edits were saved. A copy of them was kept:");
   ImGui::TextWrapped("%s", edits.c_str());
   tag_last_item(panel.tags, "left_edits/text", edits);

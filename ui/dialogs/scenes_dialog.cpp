@@ -12,8 +12,8 @@
 namespace griffith::ui {
 namespace {
 
-// Design pixels, but for the part of the window.
-constexpr float kLeastCardWidth = 250, kGap = 12, kInset = 8, kRounding = 5, kMaxWidth = 1720, kWindowPart = 0.9f;
+// In design pixels, except the fraction of the window.
+constexpr float kMinCardWidth = 250, kGap = 12, kInset = 8, kRounding = 5, kMaxWidth = 1720, kWindowPart = 0.9f;
 /// Lines that the dialog needs besides the list: heading, search, description, buttons.
 constexpr float kLinesAround = 10.5f;
 
@@ -22,7 +22,7 @@ float card_height(const Panel& panel, float width) {
          2.5f * kInset * ui_scale(panel);
 }
 
-/// The picture or, while there is none, a dark field that says so.
+/// Draws the picture, or a dark placeholder while it is missing.
 void draw_thumbnail(const Panel& panel, const SceneCard& card, ImVec2 corner, ImVec2 end) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float rounding = kRounding * ui_scale(panel);
@@ -30,7 +30,7 @@ void draw_thumbnail(const Panel& panel, const SceneCard& card, ImVec2 corner, Im
     return list->AddImageRounded(card.thumbnail, corner, end, {0, 0}, {1, 1}, IM_COL32_WHITE, rounding,
                                  ImDrawFlags_RoundCornersTop);
   list->AddRectFilled(corner, end, palette::kWindow, rounding, ImDrawFlags_RoundCornersTop);
-  const char* text = card.readable ? "no picture yet" : "no scene";
+  const char* text = card.readable ? "no picture yet" : "not a scene";
   const ImFont* font = panel.input.fonts.small;
   const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text);
   list->AddText(font, font->FontSize, {(corner.x + end.x - size.x) / 2, (corner.y + end.y - size.y) / 2},
@@ -49,7 +49,7 @@ void draw_title(const Panel& panel, const SceneCard& card, ImVec2 corner, float 
   ImGui::PopFont();
 }
 
-/// Draws the card at the cursor. True when it was clicked.
+/// Draws the card at the cursor. True if it was clicked.
 bool scene_card(Panel& panel, const SceneCard& card, const std::string& name, bool chosen, float width) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 end(corner.x + width, corner.y + card_height(panel, width));
@@ -68,7 +68,7 @@ bool scene_card(Panel& panel, const SceneCard& card, const std::string& name, bo
   return clicked;
 }
 
-/// Moves the choice with the arrow keys; true when it moved.
+/// Moves the choice with the arrow keys. True if it moved.
 bool move_card_choice(SceneBrowser& browser, std::span<const CardRow> rows) {
   const int right = ImGui::IsKeyPressed(key::kRight) - ImGui::IsKeyPressed(key::kLeft);
   const int down = ImGui::IsKeyPressed(key::kDown) - ImGui::IsKeyPressed(key::kUp);
@@ -80,7 +80,7 @@ bool move_card_choice(SceneBrowser& browser, std::span<const CardRow> rows) {
 bool search_field(Panel& panel, SceneBrowser& browser) {
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-FLT_MIN);
-  ImGui::InputTextWithHint("##words", "words of a name, topic or description", browser.text.data(),
+  ImGui::InputTextWithHint("##words", "search names, topics and descriptions", browser.text.data(),
                            browser.text.size());
   const bool edited = ImGui::IsItemEdited();
   if (edited) browser.chosen = 0;
@@ -88,7 +88,7 @@ bool search_field(Panel& panel, SceneBrowser& browser) {
   return edited;
 }
 
-/// Over the first card of a topic, and again over the first of a row.
+/// Draws the topic above its first card, repeated above the first card of each row.
 void topic_heading(const Panel& panel, const std::string& topic, float width) {
   ImGui::PushFont(panel.input.fonts.bold);
   ImGui::TextColored(as_vec4(palette::kTextDim), "%s", fitted(topic, width).c_str());
@@ -96,7 +96,7 @@ void topic_heading(const Panel& panel, const std::string& topic, float width) {
   tag_last_item(panel.tags, "scenes/topic/" + topic, topic);
 }
 
-/// A line of topics over a row of cards.
+/// Draws the topics above a row of cards.
 void topic_line(const Panel& panel, std::span<const SceneCard* const> row, float pitch) {
   const float left = ImGui::GetCursorPosX(), top = ImGui::GetCursorPosY();
   for (std::size_t i = 0; i < row.size(); ++i) {
@@ -114,12 +114,12 @@ std::vector<std::string> names_of(std::span<const SceneCard* const> cards) {
   return scene_names(files);
 }
 
-/// The card that was clicked, or nullptr.
+/// Draws the cards. Returns the clicked one, or nullptr.
 const SceneCard* card_list(Panel& panel, std::span<const SceneCard* const> cards, bool searched) {
   SceneBrowser& browser = panel.state.browser;
   const float gap = kGap * ui_scale(panel), room = ImGui::GetContentRegionAvail().x;
   const auto columns =
-      std::max<std::size_t>(1, static_cast<std::size_t>((room + gap) / (kLeastCardWidth * ui_scale(panel) + gap)));
+      std::max<std::size_t>(1, static_cast<std::size_t>((room + gap) / (kMinCardWidth * ui_scale(panel) + gap)));
   const float width = std::floor((room + gap) / static_cast<float>(columns) - gap);
   const std::vector<CardRow> rows = card_rows(cards.size(), columns);
   const std::vector<std::string> names = names_of(cards);
@@ -138,9 +138,9 @@ const SceneCard* card_list(Panel& panel, std::span<const SceneCard* const> cards
   return clicked;
 }
 
-/// What the chosen scene shows, in two lines' room.
+/// Describes the chosen scene in two lines.
 void about(Panel& panel, const SceneCard* card) {
-  const std::string text = card ? card->description : "No scene has these words.";
+  const std::string text = card ? card->description : "No scene matches.";
   ImGui::BeginChild("##about", {0, 2.2f * ImGui::GetTextLineHeightWithSpacing()});
   ImGui::PushTextWrapPos(0);
   ImGui::TextColored(as_vec4(card && card->readable ? palette::kText : palette::kWarning), "%s", text.c_str());

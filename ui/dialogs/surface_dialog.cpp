@@ -12,7 +12,7 @@
 namespace griffith::ui {
 namespace {
 
-/// As MeshingMethod.
+/// Names in the order of MeshingMethod.
 const std::array<std::string, 3> kMethods = {"automatic", "TetGen", "volumetric"};
 
 void method_row(Panel& panel, MeshingMethod& method) {
@@ -49,17 +49,18 @@ void draw_surface_dialog(Panel& panel) {
   const bool left = escape_left_untyped();
   tag_last_item(panel.tags, "surface/path", request.path.data());
   number_field_row(panel,
-                   {.tag = "surface/scale", .label = "Metres per unit", .numbers = range_of<SurfaceShape>("scale")},
+                   {.tag = "surface/scale", .label = "Meters per unit", .numbers = range_of<SurfaceShape>("scale")},
                    request.scale);
   method_row(panel, request.method);
-  checkbox(panel, "surface/automatic_size", "Element size from the size of the surface", request.automatic_size);
+  checkbox(panel, "surface/automatic_size", "Automatic element size", request.automatic_size);
   if (!request.automatic_size)
     number_field_row(
         panel,
         {.tag = "surface/element_size", .label = "Element size", .numbers = range_of<SurfaceShape>("element_size")},
         request.element_size);
   hint(panel,
-       "TetGen keeps every triangle of the surface; the volumetric method takes open and crossing surfaces too.");
+       "TetGen keeps every triangle of the surface; the volumetric method also accepts open and self-intersecting "
+       "surfaces.");
   ImGui::Spacing();
   const bool pressed = text_button(panel, "surface/fill", "Fill", 120 * ui_scale(panel));
   if ((entered || pressed) && request.path[0] != '\0') fill(panel);

@@ -6,11 +6,11 @@
 
 namespace griffith::ui {
 
-/// How the shot that is being aimed will fly.
+/// Predicted flight of the shot being aimed.
 struct Aim {
-  std::vector<Vec3> flight;  ///< from the muzzle to what it meets first, or as far as it is followed [m]
-  double duration = 0;       ///< of that [s]
-  bool hits = false;         ///< something is met at its end
+  std::vector<Vec3> flight;  ///< path from the muzzle to the first hit, or as far as it is followed [m]
+  double duration = 0;       ///< flight time [s]
+  bool hits = false;         ///< true if the path ends at a hit
 };
 
 }  // namespace griffith::ui

@@ -13,33 +13,33 @@ std::string_view unless(bool possible, std::string_view reason) { return possibl
 }  // namespace
 
 std::string_view nothing_to_undo(const CommandContext& context) {
-  return unless(context.history.can_undo(), "No edit of this scene is left to undo.");
+  return unless(context.history.can_undo(), "There is no edit to undo.");
 }
 
 std::string_view nothing_to_redo(const CommandContext& context) {
-  return unless(context.history.can_redo(), "No edit was undone.");
+  return unless(context.history.can_redo(), "There is no edit to redo.");
 }
 
 std::string_view no_past(const CommandContext& context) {
-  return unless(context.step > context.time.first_step, "This is the start of what was recorded.");
+  return unless(context.step > context.time.first_step, "This is the first recorded step.");
 }
 
 std::string_view no_future(const CommandContext& context) {
-  return unless(context.step < context.time.last_step, "This is the newest step.");
+  return unless(context.step < context.time.last_step, "This is the last recorded step.");
 }
 
 std::string_view one_branch_alone(const CommandContext& context) {
   return unless(context.time.branches.size() > 1,
-                "There is one branch alone: do something else in the past for another.");
+                "There is only one branch; go back and change something to start another.");
 }
 
 std::string_view not_stopped_before_a_crack(const CommandContext& context) {
   return unless(context.state.stop && context.state.stop->node.valid(),
-                "The simulation has not stopped before a crack: see Stop before.");
+                "The simulation has not stopped before a crack; use Stop before… first.");
 }
 
 std::string_view nothing_fired(const CommandContext& context) {
-  return unless(context.state.last_shot.has_value(), "Nothing was fired since the last shot was added.");
+  return unless(context.state.last_shot.has_value(), "No shot was fired since the last one was added.");
 }
 
 std::string_view no_body(const CommandContext& context) {
@@ -47,61 +47,60 @@ std::string_view no_body(const CommandContext& context) {
 }
 
 std::string_view nothing_chosen(const CommandContext& context) {
-  return unless(active_entry(context.state, context.history.scene()).has_value(), "Nothing is chosen in the outliner.");
+  return unless(active_entry(context.state, context.history.scene()).has_value(),
+                "Nothing is selected in the outliner.");
 }
 
 std::string_view nothing_to_move_up(const CommandContext& context) {
   const Scene& scene = context.history.scene();
-  return unless(can_move(scene, chosen_entries(context.state, scene), -1),
-                "Nothing is chosen in the outliner that has one of its kind above it.");
+  return unless(can_move(scene, chosen_entries(context.state, scene), -1), "No selected entry can move up.");
 }
 
 std::string_view nothing_to_move_down(const CommandContext& context) {
   const Scene& scene = context.history.scene();
-  return unless(can_move(scene, chosen_entries(context.state, scene), 1),
-                "Nothing is chosen in the outliner that has one of its kind below it.");
+  return unless(can_move(scene, chosen_entries(context.state, scene), 1), "No selected entry can move down.");
 }
 
 std::string_view no_region_chosen(const CommandContext& context) {
   const Scene& scene = context.history.scene();
   const std::optional<SceneEntry> entry = active_entry(context.state, scene);
   return unless(context.state.paint_regions || (entry && region_of(scene, *entry)),
-                "No support, load or probe with a region is chosen in the outliner.");
+                "No support, load or probe with a region is selected in the outliner.");
 }
 
 std::string_view nothing_with_a_name(const CommandContext& context) {
   const std::optional<SceneEntry> entry = active_entry(context.state, context.history.scene());
-  return unless(entry && has_name(entry->kind), "Nothing is chosen in the outliner that has a name.");
+  return unless(entry && has_name(entry->kind), "No entry with a name is selected in the outliner.");
 }
 
 std::string_view no_body_chosen(const CommandContext& context) {
-  return unless(!chosen_bodies(context.state, context.history.scene()).empty(), "No body is chosen in the outliner.");
+  return unless(!chosen_bodies(context.state, context.history.scene()).empty(), "No body is selected in the outliner.");
 }
 
 std::string_view no_camera_chosen(const CommandContext& context) {
   const std::optional<SceneEntry> entry = active_entry(context.state, context.history.scene());
-  return unless(entry && entry->kind == EntryKind::camera, "No camera is chosen in the outliner.");
+  return unless(entry && entry->kind == EntryKind::camera, "No camera is selected in the outliner.");
 }
 
-std::string_view no_left_edits(const CommandContext& context) {
-  return unless(!context.state.left_edits.empty(), "No edits were cut short.");
+std::string_view no_recoverable_edits(const CommandContext& context) {
+  return unless(!context.state.recoverable_edits.empty(), "There are no edits to recover.");
 }
 
 std::string_view no_surface_named(const CommandContext& context) {
-  return unless(context.state.surface.path[0] != '\0', "No file of a surface is named.");
+  return unless(context.state.surface.path[0] != '\0', "No surface file is given.");
 }
 
 std::string_view nothing_recorded(const CommandContext& context) {
-  return unless(context.time.last_step > context.time.first_step, "No step was made yet.");
+  return unless(context.time.last_step > context.time.first_step, "No step has been made yet.");
 }
 
 std::string_view nothing_plotted(const CommandContext& context) {
   const auto is_taken = [](const std::string& key) { return !key.empty(); };
-  return unless(std::ranges::any_of(context.state.preferences.plotted, is_taken), "No series is chosen in the plots.");
+  return unless(std::ranges::any_of(context.state.preferences.plotted, is_taken), "No series is plotted.");
 }
 
-std::string_view no_colour_range(const CommandContext& context) {
-  return unless(context.state.view.range || context.has_legend, "The picture is not coloured by a quantity.");
+std::string_view no_color_range(const CommandContext& context) {
+  return unless(context.state.view.range || context.has_legend, "The picture is not colored by a quantity.");
 }
 
 bool is_running(const CommandContext& context) { return context.state.running; }

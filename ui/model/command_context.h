@@ -8,16 +8,16 @@
 
 namespace griffith::ui {
 
-/// What decides whether a command makes sense.
+/// State on which it depends whether a command is enabled.
 struct CommandContext {
   const EditorState& state;
   const EditHistory& history;
   const TimeView& time;
-  std::int64_t step = 0;    ///< shown
-  bool has_legend = false;  ///< the picture has a range of colours
+  std::int64_t step = 0;    ///< shown step
+  bool has_legend = false;  ///< the picture has a color range
 };
 
-// Why a command makes no sense now, in a sentence; empty where it does.
+// Each returns the reason why a command is disabled, in a sentence; empty if it is enabled.
 std::string_view nothing_to_undo(const CommandContext& context);
 std::string_view nothing_to_redo(const CommandContext& context);
 std::string_view no_past(const CommandContext& context);
@@ -33,13 +33,13 @@ std::string_view no_region_chosen(const CommandContext& context);
 std::string_view nothing_with_a_name(const CommandContext& context);
 std::string_view no_body_chosen(const CommandContext& context);
 std::string_view no_camera_chosen(const CommandContext& context);
-std::string_view no_left_edits(const CommandContext& context);
+std::string_view no_recoverable_edits(const CommandContext& context);
 std::string_view no_surface_named(const CommandContext& context);
 std::string_view nothing_recorded(const CommandContext& context);
 std::string_view nothing_plotted(const CommandContext& context);
-std::string_view no_colour_range(const CommandContext& context);
+std::string_view no_color_range(const CommandContext& context);
 
-// Whether what a command toggles is on.
+// Each is true if the state that a command toggles is on.
 bool is_running(const CommandContext& context);
 bool shows_edges(const CommandContext& context);
 bool locks_range(const CommandContext& context);

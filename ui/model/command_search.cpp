@@ -9,14 +9,14 @@ namespace griffith::ui {
 namespace {
 
 constexpr int kLetter = 1, kWordBegins = 8, kFollows = 4;
-/// Titles count more than help, which has many letters.
+/// Matches in titles weigh more than matches in help texts, which have many letters.
 constexpr int kTitle = 100, kMenu = 50;
 
 bool same_letter(char a, char b) {
   return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
 }
 
-/// Help is searched for whole words: scattered letters are found in any sentence.
+/// Scores whole words of the help: scattered letters would match any sentence.
 std::optional<int> help_score(std::string_view hint, std::string_view wanted) {
   return std::ranges::search(hint, wanted, same_letter).empty() ? std::nullopt : std::optional(0);
 }

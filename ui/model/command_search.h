@@ -8,11 +8,11 @@
 
 namespace griffith::ui {
 
-/// How well the letters of `wanted` are found in `text`, in their order and whatever their case; more is better, most
-/// where they begin words or follow each other. Nothing where one is missing.
+/// Scores how well the letters of `wanted` occur in `text`, in order and in any case. Higher is better; letters that
+/// begin words or are adjacent score most. Empty if a letter is missing.
 std::optional<int> match_score(std::string_view text, std::string_view wanted);
 
-/// The commands of menus that match in their title, menu or help, best first; all where nothing is wanted.
+/// Returns the menu commands whose title, menu or help matches, best first; all commands if `wanted` is empty.
 std::vector<const CommandInfo*> matching_commands(std::string_view wanted);
 
 }  // namespace griffith::ui

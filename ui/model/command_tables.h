@@ -6,11 +6,11 @@
 
 namespace griffith::ui {
 
-// The parts of the registry, which a new command is added to: in the order of the menus and of their entries.
+// The parts of the command registry, in the order of the menus and their entries.
 
-/// Files, edits, and what is added to a scene.
+/// Commands for files, edits and adding to a scene.
 std::span<const CommandInfo> scene_commands();
-/// Simulation, view and help, and what widgets and scripts alone issue.
+/// Commands for simulation, view and help, and those without a menu.
 std::span<const CommandInfo> run_commands();
 
 }  // namespace griffith::ui

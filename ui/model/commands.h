@@ -12,7 +12,7 @@
 
 namespace griffith::ui {
 
-/// Everything that a user can ask for besides editing values.
+/// Commands of the editor, except edits of values.
 enum class CommandId {
   toggle_run,
   step,
@@ -94,50 +94,50 @@ enum class CommandId {
 /// A request, carried out by the program after the panels are drawn.
 struct Command {
   CommandId id;
-  /// open: the scene; save and others that write: where, or empty for the scene's own file; their dialogs: proposed
+  /// open: the scene. Commands that write: the file, or empty for the scene's own. Their dialogs: the proposed file.
   std::filesystem::path path = {};
-  std::int64_t step = 0;         ///< go_to_step, go_to_branch; make_steps: how many
+  std::int64_t step = 0;         ///< go_to_step, go_to_branch: target step; make_steps: number of steps
   int branch = 0;                ///< go_to_branch
-  Vec2 cursor = Vec2(0.5, 0.5);  ///< fire, pick: place in the view, from its top left corner, 0..1
-  bool discard_edits = false;    ///< new_scene, open, quit: even where edits are not saved
-  bool replace = false;          ///< what writes: even where that loses what another has written
+  Vec2 cursor = Vec2(0.5, 0.5);  ///< fire, pick: point of the view, from its top left corner, 0..1
+  bool discard_edits = false;    ///< new_scene, open, quit: discards unsaved edits
+  bool replace = false;          ///< commands that write: replaces a file of another program
 };
 
-/// How many steps can be asked for at once.
+/// Largest number of steps for make_steps.
 inline constexpr int kMaxAskedSteps = 1'000'000;
 
-/// Where a menu shows a command. Commands that are in no menu are issued by widgets and scripts alone.
+/// Menu that lists a command; `none` for commands of widgets and scripts alone.
 enum class Menu { none, file, edit, add, simulation, view, help };
 
-/// What a script writes behind a command's name.
+/// Argument that a script gives after a command's name.
 enum class CommandArgument { none, path, step, branch_and_step, cursor };
 
 struct CommandContext;
 
-/// A command as menus, buttons, shortcuts, palette, help, scripts and tests know it.
+/// Description of a command, from which menus, buttons, shortcuts, palette, help, scripts and tests are made.
 struct CommandInfo {
   CommandId id;
   std::string_view name;   ///< "simulation.step"
   std::string_view label;  ///< "Step"
   std::string_view hint;   ///< one line for tooltips and help
   Menu menu = Menu::none;
-  int group = 0;  ///< of the menu; a line parts it from the next
+  int group = 0;  ///< group within the menu; a separator precedes each new group
   Shortcut shortcut = {};
-  /// Why the command makes no sense now; empty: it does. Null: it always does.
-  std::string_view (*why_not)(const CommandContext& context) = nullptr;
-  /// Whether what the command toggles is on. Null: it toggles nothing.
+  /// Returns the reason why the command is disabled; empty if it is enabled. Null: always enabled.
+  std::string_view (*disabled_reason)(const CommandContext& context) = nullptr;
+  /// True if the toggled state is on. Null: not a toggle.
   bool (*is_on)(const CommandContext& context) = nullptr;
   CommandArgument argument = CommandArgument::none;
-  /// What a script means that gives the command the file for which it would ask in a dialog.
+  /// The command that a script issues when it gives a file instead of the dialog.
   std::optional<CommandId> with_path = std::nullopt;
 };
 
-/// All commands, in the order in which menus and help show them.
+/// Returns all commands in the order of menus and help.
 std::span<const CommandInfo> command_registry();
 const CommandInfo& command_info(CommandId id);
-/// The command of that name, or nullptr.
+/// Returns the command of that name, or nullptr.
 const CommandInfo* find_command(std::string_view name);
-/// "File".
+/// Returns the title of a menu: "File".
 const char* menu_label(Menu menu);
 
 }  // namespace griffith::ui

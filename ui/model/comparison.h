@@ -9,19 +9,19 @@
 
 namespace griffith::ui {
 
-/// With what the shown branch is compared, and how.
+/// Settings of the comparison with another branch.
 struct Comparison {
-  std::optional<int> branch;  ///< none: nothing is compared
-  bool as_ghost = false;      ///< one picture through the other; else side by side, parted by a border
-  float border = 0.5f;        ///< 0..1 of the view's width: the shown branch is left of it
+  std::optional<int> branch;  ///< compared branch; none: no comparison
+  bool as_ghost = false;      ///< overlays the pictures; else they are side by side, separated by a border
+  float border = 0.5f;        ///< position of the border, 0..1 of the view's width; the shown branch is left of it
 };
 
-/// What the compared branch shows at the same step.
+/// The compared branch at the shown step.
 struct ComparisonView {
   int branch = 0;
   ImTextureID picture = {};
-  std::string text;  ///< where and when the two differ first, and how far they are apart now
-  RunCurves curves;  ///< those that are plotted, while plots are shown
+  std::string text;  ///< place and time of the first difference, and its size now
+  RunCurves curves;  ///< plotted curves, while plots are shown
 };
 
 }  // namespace griffith::ui

@@ -2,7 +2,7 @@
 
 namespace griffith::ui {
 
-// Scenes are copied, then moved: GCC 12 believes that assigning their probes in place may read uninitialised memory.
+// Scenes are copied, then moved: GCC 12 warns of uninitialized memory when their probes are assigned in place.
 
 void EditHistory::change(const std::string& label, const std::function<void(Scene&)>& edit) {
   if (open_ && entries_.back().label != label) finish();

@@ -9,25 +9,26 @@
 
 namespace griffith::ui {
 
-/// One undoable edit: the scene as it was and as it became.
+/// An undoable edit: the scene before and after.
 struct EditEntry {
   std::string label;
   Scene before, after;
 };
 
-/// The scene being edited, and the way back. All edits go through change(): those with one label, such as the many
-/// steps of a slider drag, make one entry, closed by finish().
+/// The edited scene with its undo history. All edits go through change(). Edits with the same label, such as the steps
+/// of a slider drag, make one entry, which finish() closes.
 class EditHistory {
  public:
   explicit EditHistory(Scene scene) : scene_(std::move(scene)), saved_(scene_) {}
 
   const Scene& scene() const { return scene_; }
 
-  /// Edits the scene. Opens an entry named `label` unless one of that name is open; drops what could be redone.
+  /// Edits the scene. Opens an entry named `label` unless one of that name is open. Discards the edits that could be
+  /// redone.
   void change(const std::string& label, const std::function<void(Scene&)>& edit);
-  /// Follows what is in force in the simulation at another time: no edit, so no entry. None may be open.
+  /// Takes over values that are in force in the simulation at another time, without an entry. No entry may be open.
   void adopt(const std::function<void(Scene&)>& change);
-  /// Closes the open entry; one that ended where it began is dropped.
+  /// Closes the open entry and drops it if it changed nothing.
   void finish();
 
   bool can_undo() const { return applied_ > 0 || open_; }
@@ -36,16 +37,16 @@ class EditHistory {
   void undo();
   void redo();
 
-  /// Undoes or redoes as much as it takes to find a scene that is `wanted`, the nearest one; earlier ones come first.
-  /// Finishes an open entry first. False, with nothing else done, when there is none.
+  /// Undoes or redoes to the nearest scene that satisfies `wanted`; earlier scenes are tried first. Finishes an open
+  /// entry first. False, with nothing else done, if there is none.
   bool go_to(const std::function<bool(const Scene&)>& wanted);
 
-  /// Oldest first; those in force, then those that can be redone.
+  /// Returns the entries, oldest first: those in force, then those that can be redone.
   const std::vector<EditEntry>& entries() const { return entries_; }
 
-  /// Whether an entry is open: a gesture is going on.
+  /// True if an entry is open, that is, during a gesture.
   bool editing() const { return open_; }
-  /// Another one after each change of the scene.
+  /// Counter that increases with each change of the scene.
   std::int64_t revision() const { return revision_; }
 
   bool modified() const { return !(scene_ == saved_); }

@@ -29,64 +29,64 @@
 
 namespace griffith::ui {
 
-/// What the mouse asked of the camera in one drawn frame.
+/// Camera motion requested by the mouse in one drawn frame.
 struct CameraMotion {
-  float yaw = 0, pitch = 0;             ///< turn about the target [rad]
-  float pan_right = 0, pan_up = 0;      ///< of camera and target, in heights of the picture
+  float yaw = 0, pitch = 0;             ///< rotation about the target [rad]
+  float pan_right = 0, pan_up = 0;      ///< displacement of camera and target, in heights of the picture
   float zoom = 1;                       ///< factor on the distance to the target
-  float slice_right = 0, slice_up = 0;  ///< of the slice plane, in heights of the picture
+  float slice_right = 0, slice_up = 0;  ///< displacement of the slice plane, in heights of the picture
   bool operator==(const CameraMotion&) const = default;
 };
 
-/// What the utilization of a node was at a time.
+/// Utilization of a node at one time.
 struct UtilizationSample {
   double time = 0;  ///< [s]
   float utilization = 0;
   bool broke = false;  ///< the node separated under it
 };
 
-/// What an error dialog says.
+/// Text of an error dialog.
 struct ErrorMessage {
   std::string where, problem, remedy;
 };
 
-/// A body to be filled from a surface file, as the dialog for it has it.
+/// Input of the dialog that fills a surface file with elements.
 struct SurfaceRequest {
   std::array<char, 512> path = {};
-  double scale = 1;            ///< metres per unit of the file
-  bool automatic_size = true;  ///< the size of the elements follows from that of the surface
-  double element_size = 0.1;   ///< else this [m]
+  double scale = 1;            ///< meters per unit of the file
+  bool automatic_size = true;  ///< derives the size of the elements from that of the surface
+  double element_size = 0.1;   ///< size of the elements if it is not automatic [m]
   MeshingMethod method = MeshingMethod::automatic;
 };
 
-/// What a dialog asks a place for.
+/// Kind of file that a dialog saves.
 enum class SavedKind { scene, recording, bug_report, plots, exported, macro };
 
-/// Where something is to be saved, as the dialog for it has it.
+/// Input of the save dialog.
 struct SaveTarget {
   SavedKind kind = SavedKind::scene;
-  std::filesystem::path folder;  ///< where relative names start, absolute
+  std::filesystem::path folder;  ///< base of relative names, absolute
   std::array<char, 512> name = {};
-  std::vector<std::string> there;  ///< names of scenes in the folder
+  std::vector<std::string> existing;  ///< names of the scenes in the folder
 };
 /// Proposes the file's folder and name.
 SaveTarget save_target(const std::filesystem::path& file, SavedKind kind = SavedKind::scene);
-/// The file; ends as files of its kind do, whether that was typed or not.
+/// Returns the file to write; its extension is appended where it is missing.
 std::filesystem::path file_of(const SaveTarget& target);
 
-/// A save that would lose what another has written.
+/// A save that would replace a file of another program.
 struct Replacement {
   Command command;
   std::string problem;  ///< "/home/me/wall.json is there already."
 };
 
-/// Why the last edit of a field was not taken as it was meant.
+/// Message about an edit that was not accepted as typed.
 struct FieldNote {
-  std::string tag;  ///< of the field; empty: there is nothing to say
+  std::string tag;  ///< tag of the field; empty: no message
   std::string text;
 };
 
-/// What there is to tell about work that went well.
+/// Message about work that succeeded.
 struct WorkReport {
   std::string title;
   std::vector<std::string> facts, warnings;
@@ -94,11 +94,11 @@ struct WorkReport {
 
 enum class LogLevel { info, warning, error };
 
-/// For how long a message is true.
+/// Validity of a message.
 enum class LogSpan {
-  lasting,  ///< of something that was done
-  state,    ///< while the simulation stays in the state that is shown
-  action,   ///< and the user does nothing else
+  lasting,  ///< permanent: reports something that was done
+  state,    ///< as long as the simulation stays in the shown state
+  action,   ///< until the state changes or the user does something else
 };
 
 struct LogLine {
@@ -107,78 +107,79 @@ struct LogLine {
   LogSpan span = LogSpan::lasting;
 };
 
-/// What the panel of messages shows.
+/// Settings of the message panel.
 struct LogView {
   bool shown = false;
   std::array<bool, 3> levels = {true, true, true};  ///< by LogLevel
-  std::array<char, 64> filter = {};                 ///< what the shown lines hold
-  float height = 0;                                 ///< of the panel [pixels]; 0: not laid out yet
+  std::array<char, 64> filter = {};                 ///< text that the shown lines contain
+  float height = 0;                                 ///< height of the panel [pixels]; 0: not laid out yet
 };
 
-/// The search for a command.
+/// State of the command palette.
 struct Palette {
   bool shown = false;
-  std::array<char, 64> text = {};  ///< being typed
-  int chosen = 0;                  ///< among those that match
+  std::array<char, 64> text = {};  ///< search text
+  int chosen = 0;                  ///< index among the matching entries
 };
 
-/// What a script says to the reader.
+/// Text that a script shows to the user.
 struct Caption {
   enum class Answer { none, next, skip };
   std::string text;
-  std::string tag;  ///< of the widget that it is about; may be empty
+  std::string tag;  ///< tag of the widget that it refers to; may be empty
   Answer answer = Answer::none;
 };
 
-/// What the editor itself remembers: nothing of it is part of the scene, nothing of it influences results of a step.
+/// State of the editor itself: neither part of the scene nor relevant to the result of a step.
 struct EditorState {
   bool running = false;
   Breakpoints breakpoints;
-  std::optional<Stop> stop;        ///< the simulation stopped by itself in the state that is shown, and why
+  std::optional<Stop> stop;        ///< reason why the simulation stopped by itself in the shown state
   double speed = 1;                ///< simulated seconds per second, 0.001..1
-  std::int64_t steps_left = 0;     ///< until the simulation, which runs, is to stop; 0: it goes on
-  std::optional<int> asked_steps;  ///< so many are being asked for
-  ViewSettings view;               ///< as shown now; starts with the scene's
-  ProjectileBurst shot;            ///< what the projectile tool fires; position and direction come from the cursor
-  std::optional<Vec2> aimed_at;    ///< while a shot is being aimed: place in the view, from its top left corner, 0..1
-  std::optional<ProjectileBurst> last_shot;  ///< as it was fired, and when; until it is part of the scene
+  std::int64_t steps_left = 0;     ///< steps until the simulation stops; 0: runs on
+  std::optional<int> asked_steps;  ///< number in the dialog that asks for steps
+  ViewSettings view;               ///< current view; starts with the scene's
+  ProjectileBurst shot;            ///< settings of the projectile tool; position and direction come from the cursor
+  std::optional<Vec2> aimed_at;    ///< while a shot is aimed: point of the view, from its top left corner, 0..1
+  std::optional<ProjectileBurst> last_shot;  ///< last shot with its time, until it is added to the scene
   int selected_body = 0;                     ///< index into Scene::bodies
-  std::vector<SceneEntry> entries;           ///< chosen in the outliner, in that order; empty: the selected body
-  std::optional<SceneEntry> listed_entry;    ///< the active one, when the outliner was drawn last
-  std::optional<SceneEntry> renamed;         ///< whose name is being typed
+  std::vector<SceneEntry> entries;  ///< entries chosen in the outliner, in order of choice; empty: the selected body
+  std::optional<SceneEntry> listed_entry;  ///< the active entry when the outliner was drawn last
+  std::optional<SceneEntry> renamed;       ///< entry whose name is being typed
   std::string new_name;
-  std::set<std::string> hidden_bodies;        ///< by name: not drawn
-  bool list_pieces = false;                   ///< the list of bodies holds each piece by itself
-  std::array<char, 64> body_filter = {};      ///< what the listed ones have in their name or state
-  FieldNote field_note;                       ///< of the last edit, until the next click
-  Selection selection;                        ///< picked in the view; follows the material when a body breaks
-  bool show_gizmo = false;                    ///< handles that move and turn what is chosen
-  std::optional<RegionDrag> region_drag;      ///< while a part of a region is held
-  bool paint_regions = false;                 ///< the mouse paints the region of what is chosen
-  std::optional<RegionStroke> region_stroke;  ///< while it does
-  std::optional<GizmoDrag> gizmo_drag;        ///< while one is held
+  std::set<std::string> hidden_bodies;        ///< names of the bodies that are not drawn
+  bool list_pieces = false;                   ///< lists each piece instead of each body
+  std::array<char, 64> body_filter = {};      ///< text that the listed names or states contain
+  FieldNote field_note;                       ///< message about the last edit, until the next click
+  Selection selection;                        ///< picked in the view; follows the material through fracture
+  bool show_gizmo = false;                    ///< shows handles that move and rotate the chosen entries
+  std::optional<RegionDrag> region_drag;      ///< while a grip of a region is dragged
+  bool paint_regions = false;                 ///< the mouse paints the region of the active entry
+  std::optional<RegionStroke> region_stroke;  ///< while a stroke is painted
+  std::optional<GizmoDrag> gizmo_drag;        ///< while a handle is dragged
   CameraMotion camera_motion;
-  ImVec2 viewport_minimum = {0, 0}, viewport_size = {0, 0};  ///< of the picture, as drawn last [pixels]
-  float left_width = 0, right_width = 0;                     ///< of the side panels [pixels]; 0: not laid out yet
-  bool show_times = true;      ///< milliseconds and pictures a second; off makes pictures of the panels reproducible
-  bool open_sections = false;  ///< all parts of the panels that can be folded are open, for pictures of them
+  ImVec2 viewport_minimum = {0, 0}, viewport_size = {0, 0};  ///< rectangle of the picture as drawn last [pixels]
+  float left_width = 0, right_width = 0;  ///< widths of the side panels [pixels]; 0: not laid out yet
+  bool show_times = true;  ///< shows milliseconds and frames per second; off for reproducible pictures of the panels
+  bool open_sections = false;  ///< unfolds all sections of the panels, for pictures of them
   bool show_help = false, show_open = false, show_surface = false;
   SurfaceRequest surface;
   std::optional<WorkReport> report;
-  std::string work;                  ///< what is being done while a world is built; empty: nothing
-  bool cancel_work = false;          ///< the user wants no more of it
-  std::vector<Command> waiting;      ///< asked for by keys meanwhile; carried out after it, in that order
-  std::optional<double> large_mesh;  ///< the tetrahedra that work would make: so many that it waits for an answer
-  bool build_large_mesh = false;     ///< the answer is yes
+  std::string work;                  ///< description of the work while a world is built; empty: none
+  bool cancel_work = false;          ///< the user cancelled the work
+  std::vector<Command> waiting;      ///< commands queued by keys during the work, in order
+  std::optional<double> large_mesh;  ///< tetrahedra that the work would make, while it waits for confirmation
+  bool build_large_mesh = false;     ///< confirmation of the large mesh
   std::optional<ErrorMessage> error;
-  std::optional<Command> unsaved;          ///< waits for an answer: it would lose edits that are not saved
-  std::optional<SaveTarget> save_as;       ///< being asked for
+  std::optional<Command> unsaved;          ///< command that would discard unsaved edits, while it waits for an answer
+  std::optional<SaveTarget> save_as;       ///< input of the save dialog while it is open
   std::optional<Replacement> replacement;  ///< waits for an answer
-  std::optional<Command> after_save;       ///< what the scene is being saved for
-  std::string left_edits;                  ///< which edits were cut short and are waiting for an answer; empty: none
+  std::optional<Command> after_save;       ///< command that follows the save
+  std::string
+      recoverable_edits;  ///< description of edits that can be recovered, while they wait for an answer; empty: none
   Preferences preferences;
   bool show_preferences = false;
-  double wanted_scale = 0;  ///< being dragged in the preferences; 0: not shown yet
+  double wanted_scale = 0;  ///< while it is dragged in the preferences; 0: not shown yet
   Palette palette;
   SceneBrowser browser;
   LogView log_view;
@@ -189,13 +190,13 @@ struct EditorState {
   Comparison comparison;
   std::optional<Caption> caption;
   std::vector<LogLine> log;
-  std::size_t log_seen = 0;              ///< so many of the lines are older than the last thing that the user did
-  std::size_t log_passed = 0;            ///< and so many are older than the state of the simulation that is shown
-  std::array<char, 512> path_text = {};  ///< being typed in the open dialog
+  std::size_t log_seen = 0;              ///< lines that are older than the user's last action
+  std::size_t log_passed = 0;            ///< lines that are older than the shown state of the simulation
+  std::array<char, 512> path_text = {};  ///< text of the open dialog
   NumberEdit number;                     ///< the number field being dragged or typed into
 };
 
-/// Whether work goes on, something waits for it, or steps that were asked for are being made.
+/// True if work is in progress or waits for an answer, or requested steps are being made.
 inline bool is_busy(const EditorState& state) {
   return !state.work.empty() || !state.waiting.empty() || state.steps_left > 0;
 }

@@ -43,7 +43,7 @@ void choose_range(EditorState& state, const Scene& scene, const std::vector<Scen
   const auto end = std::ranges::find(listed, entry);
   const auto from = start ? std::ranges::find(listed, *start) : listed.end();
   if (from == listed.end() || end == listed.end()) return choose_entries(state, scene, {entry});
-  // The active entry stays the last, from which the next range is counted.
+  // The active entry stays last: the next range starts from it.
   std::vector<SceneEntry> range(std::min(from, end), std::max(from, end) + 1);
   if (from < end) std::ranges::reverse(range);
   choose_entries(state, scene, std::move(range));

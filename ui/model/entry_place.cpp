@@ -8,13 +8,13 @@
 namespace griffith::ui {
 namespace {
 
-/// Of the body that the entry belongs to; nothing for one of none.
+/// Returns the pose of the body to which the entry belongs; empty if it has none.
 std::optional<Pose> pose_of_body(const Scene& scene, const SceneEntry& entry) {
   const std::optional<int> body = body_of(scene, entry);
   return body ? std::optional(pose_of(scene.bodies[static_cast<std::size_t>(*body)])) : std::nullopt;
 }
 
-/// The entry's place in the rest space of its body; nullptr for one of another kind.
+/// Returns the entry's point in the rest space of its body; nullptr for other kinds.
 Vec3* probed_point(Scene& scene, const SceneEntry& entry) {
   if (entry.kind != EntryKind::probe) return nullptr;
   auto* point = std::get_if<ProbePoint>(&scene.probes[static_cast<std::size_t>(entry.index)].at);

@@ -7,17 +7,17 @@
 
 namespace griffith::ui {
 
-/// Where an entry stands in the world at the start; nothing for one without a place, such as a list of nodes. What has
-/// no angles of its own has those of 0.
+/// Returns the placement of an entry in the world at the start; empty for an entry without one, such as a list of
+/// nodes. Entries without angles have angles of 0.
 std::optional<Placement> placement_of(const Scene& scene, const SceneEntry& entry);
-/// Whether it can be turned: bodies, and the flight of projectiles.
+/// True if the entry can be rotated: bodies and the direction of projectiles.
 bool can_turn(const SceneEntry& entry);
-/// Moves and turns the entry as it takes to bring the one placement to the other.
+/// Moves and rotates the entry by the change from one placement to the other.
 void move_entry(Scene& scene, const SceneEntry& entry, const Placement& from, const Placement& to);
 
-/// The region of a support, a load or a probe; nullptr where the entry has none.
+/// Returns the region of a support, load or probe; nullptr if the entry has none.
 const Region* region_of(const Scene& scene, const SceneEntry& entry);
-/// Gives such an entry another region.
+/// Sets the region of such an entry.
 void set_region(Scene& scene, const SceneEntry& entry, const Region& region);
 
 }  // namespace griffith::ui

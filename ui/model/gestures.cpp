@@ -16,7 +16,7 @@ void press_modifiers(InputQueue& queue, const Shortcut& shortcut, bool down) {
 
 void click(InputQueue& queue, ImVec2 place, int button) {
   queue.move(place);
-  queue.end_frame();  // an item knows only a frame later that the mouse is over it
+  queue.end_frame();  // an item learns only a frame later that the mouse is over it
   queue.button(button, true);
   queue.button(button, false);
 }

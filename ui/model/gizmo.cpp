@@ -14,24 +14,24 @@ namespace {
 using Kind = GizmoHandle::Kind;
 
 constexpr double kRingSize = 0.8;                   ///< radius, in lengths of an arrow
-constexpr double kQuadNear = 0.3, kQuadFar = 0.52;  ///< of planes along both axes, in lengths of an arrow
+constexpr double kQuadNear = 0.3, kQuadFar = 0.52;  ///< edges of plane handles on both axes, in lengths of an arrow
 constexpr char kAxisNames[] = "xyz";
 constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 
 Vec3 axis_of(int axis) { return Vec3::Unit(axis); }
 
-/// A gizmo before its eye.
+/// A gizmo as seen by the camera.
 struct Anchor {
   const ViewCamera& camera;
   Vec3 place;
-  double length;  ///< of an arrow [m]
+  double length;  ///< length of an arrow [m]
   Vec3 to_eye;    ///< length 1
 
-  /// An axis of the world, pointing to the side on which the eye is.
+  /// Returns an axis of the world with the sign that points to the side of the eye.
   Vec3 near_axis(int axis) const { return std::copysign(1, to_eye[axis]) * axis_of(axis); }
 };
 
-/// Adds the shape if all of it is before the eye.
+/// Adds the shape if all of it is in front of the eye.
 void add_shape(std::vector<HandleShape>& shapes, const Anchor& anchor, GizmoHandle handle,
                const std::vector<Vec3>& outline, const Vec3& grip) {
   HandleShape shape{handle, {}, Vec2::Zero()};
@@ -61,7 +61,7 @@ void add_plane(std::vector<HandleShape>& shapes, const Anchor& anchor, int axis)
   add_shape(shapes, anchor, {Kind::plane, axis}, quad, (kQuadNear + kQuadFar) / 2 * (a + b));
 }
 
-/// The half of a ring that is turned to the eye; all of it where it is seen from its face.
+/// Adds the half of a ring that faces the eye; the full ring if it is seen face-on.
 void add_ring(std::vector<HandleShape>& shapes, const Anchor& anchor, int axis) {
   constexpr double kFaceOn = 0.95;
   constexpr int kSegments = 64;
@@ -109,7 +109,7 @@ double distance_to(const HandleShape& shape, const Vec2& point) {
 
 bool moves(GizmoHandle handle, int axis) { return (handle.kind == Kind::arrow) == (handle.axis == axis); }
 
-/// From where it was grabbed [m].
+/// Returns the displacement from the grabbed point [m].
 std::optional<Vec3> offset_of(const GizmoDrag& drag, const ViewRay& ray) {
   const Vec3 axis = axis_of(drag.handle.axis), &origin = drag.start.position;
   if (drag.handle.kind == Kind::arrow) {

@@ -10,77 +10,77 @@
 
 namespace griffith::ui {
 
-/// What of a gizmo is dragged.
+/// Handle of a gizmo.
 struct GizmoHandle {
-  enum class Kind { arrow, plane, ring };  ///< moves along the axis, moves across it, turns about it
+  enum class Kind { arrow, plane, ring };  ///< moves along the axis, moves perpendicular to it, rotates about it
   Kind kind = Kind::arrow;
-  int axis = 0;  ///< of the world
+  int axis = 0;  ///< axis of the world, 0..2
   bool operator==(const GizmoHandle&) const = default;
 };
 
-/// "move_x", "move_yz", "turn_x".
+/// Returns the name of a handle: "move_x", "move_yz", "turn_x".
 std::string handle_name(GizmoHandle handle);
 
-/// A handle as it is seen.
+/// A handle as drawn.
 struct HandleShape {
   GizmoHandle handle;
-  std::vector<Vec2> outline;  ///< a line in the picture [pixels]; that of a plane is closed
-  Vec2 grip;                  ///< a point of it away from the others
+  std::vector<Vec2> outline;  ///< polyline in the picture [pixels]; closed for a plane
+  Vec2 grip;                  ///< point of the handle away from the other handles
 };
 
-/// The handles round a place, arrows `size` pixels long; without those that cannot be dragged as they are seen, and
-/// without any where the place is not before the eye.
+/// Returns the handles at a place, with arrows `size` pixels long. Leaves out handles that cannot be dragged from this
+/// view; empty if the place is behind the eye.
 std::vector<HandleShape> handle_shapes(const ViewCamera& camera, const Vec3& place, double size);
 
-/// The shape nearest to the pixel, among those no farther than `reach` [pixels]; or nullptr.
+/// Returns the shape nearest to the pixel within `reach` [pixels], or nullptr.
 const HandleShape* shape_at(const std::vector<HandleShape>& shapes, const Vec2& pixel, double reach);
 
-/// Of the rings there [m].
+/// Returns the radius of the rings at a place [m].
 double ring_radius(const ViewCamera& camera, const Vec3& place, double size);
 
-/// Where an entry of a scene stands, as the scene says it.
+/// Placement of a scene entry, as the scene file gives it.
 struct Placement {
   Vec3 position = Vec3::Zero(), rotation_degrees = Vec3::Zero();
   bool operator==(const Placement&) const = default;
 };
 
-/// A handle in the user's hand.
+/// A handle being dragged.
 struct GizmoDrag {
   GizmoHandle handle;
-  SceneEntry entry;            ///< of the scene
-  std::int64_t revision = 0;   ///< of the scene, as it was grabbed
-  Placement start, placement;  ///< as it was grabbed, and as it would be if let go now
-  ViewRay grabbed, last;       ///< under the cursor
-  double radius = 1;           ///< of rings [m]
-  double angle = 0;            ///< that the cursor has gone about the ring [radians]
-  double turn_degrees = 0;     ///< that the entry is turned by for it
-  Eigen::AlignedBox3d box;     ///< round a body, in its rest space [m]; of others empty
-  bool cancelled = false;      ///< until the button is released
+  SceneEntry entry;            ///< dragged entry
+  std::int64_t revision = 0;   ///< revision of the scene at the start
+  Placement start, placement;  ///< at the start of the drag, and now
+  ViewRay grabbed, last;       ///< rays under the cursor at the start and now
+  double radius = 1;           ///< radius of the rings [m]
+  double angle = 0;            ///< angle that the cursor has covered about the ring [rad]
+  double turn_degrees = 0;     ///< resulting rotation of the entry [degrees]
+  Eigen::AlignedBox3d box;     ///< bounding box of a body in its rest space [m]; empty for other entries
+  bool cancelled = false;      ///< ignored until the button is released
 };
 
-/// A part of a region in the user's hand, such as a face of its box.
+/// A grip of a region being dragged, such as a face of its box.
 struct RegionDrag {
-  SceneEntry entry;           ///< whose region it is
-  std::size_t grip = 0;       ///< which part, by region_grips()
-  std::int64_t revision = 0;  ///< of the scene, as it was grabbed
-  Region start, region;       ///< as it was grabbed, and as it would be if let go now
-  ViewRay grabbed;            ///< under the cursor
-  bool cancelled = false;     ///< until the button is released
+  SceneEntry entry;           ///< entry with the region
+  std::size_t grip = 0;       ///< index into region_grips()
+  std::int64_t revision = 0;  ///< revision of the scene at the start
+  Region start, region;       ///< at the start of the drag, and now
+  ViewRay grabbed;            ///< ray under the cursor at the start
+  bool cancelled = false;     ///< ignored until the button is released
 };
 
-/// What coordinates become multiples of [m], and turns [degrees].
+/// Increments of coordinates [m] and rotations [degrees].
 struct DragSteps {
   double length = 1e-3, angle = 0.1;  ///< > 0
 };
 
-/// Moves or turns with the cursor's ray. Coordinates that the handle does not move stay as they are to the bit, and so
-/// does all while the ray says nothing.
+/// Moves or rotates the placement with the cursor's ray. Coordinates that the handle does not move keep their bits, as
+/// does everything if the ray has no solution.
 void follow_ray(GizmoDrag& drag, const ViewRay& ray, const DragSteps& steps);
 
-/// The multiple of `step` > 0 next to the value; exact where the step is 1 over a whole number.
+/// Returns the multiple of `step` > 0 nearest to the value; exact if the step is 1 over an integer.
 double multiple_of(double value, double step);
 
-/// "x 1.25 m (+0.25 m)", "about y +15°".
+/// Describes the drag: "x 1.25 m (+0.25 m)", "about y +15°".
 std::string drag_text(const GizmoDrag& drag);
 
 }  // namespace griffith::ui

@@ -11,12 +11,12 @@ namespace {
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kGrazing = 0.05;  ///< sine of the angle below which rays and axes or planes count as parallel
 
-/// The same turn, each angle within half a turn of what it was.
+/// Returns equivalent angles, each within half a revolution of `wanted`.
 Vec3 near(const Vec3& degrees, const Vec3& wanted) {
   return degrees.binaryExpr(wanted, [](double angle, double near) { return near + std::remainder(angle - near, 360); });
 }
 
-/// Angles that end in many digits by rounding alone end in few.
+/// Rounds away digits that come from rounding errors alone.
 Vec3 rounded(const Vec3& degrees) {
   constexpr double kParts = 1e6;
   return degrees.unaryExpr([](double angle) { return std::round(angle * kParts) / kParts; });
@@ -54,7 +54,7 @@ double ring_turn(const ViewRay& from, const ViewRay& to, const Vec3& center, con
 }
 
 Vec3 turned_degrees(const Vec3& degrees, const Vec3& axis, double angle) {
-  constexpr double kLocked = 1e-7;  // cosine of y below which x and z turn about the same axis
+  constexpr double kLocked = 1e-7;  // cosine of y below which x and z rotate about the same axis (gimbal lock)
   const Mat3 turn = (Eigen::AngleAxisd(angle, axis) * rotation_of(degrees)).toRotationMatrix();
   const double cosine = std::hypot(turn(0, 0), turn(1, 0)), y = std::atan2(-turn(2, 0), cosine);
   if (cosine < kLocked) {

@@ -8,12 +8,12 @@
 namespace griffith::ui {
 namespace {
 
-// Frames until the keyboard is where a click led it, and where Enter, Escape or Tab left it.
+// Frames until the keyboard focus has arrived after a click, and has left after Enter, Escape or Tab.
 constexpr int kFramesToFocus = 3, kFramesToLeave = 3;
 
 bool is_modifier(int key) { return key >= key::kFirstModifier && key <= key::kLastModifier; }
 
-/// Writes a character, unless modifiers make a shortcut of it.
+/// True if the key writes a character unless modifiers make it a shortcut.
 bool is_text_key(int key) { return key >= key::kSpace && key < key::kEscape; }
 
 bool either(const ImGuiIO& io, int left, int right) { return io.KeysDown[left] || io.KeysDown[right]; }
@@ -36,7 +36,8 @@ void InputQueue::text(unsigned int character) { events_.push_back({Kind::text, s
 
 void InputQueue::end_frame() { events_.push_back({Kind::end_frame}); }
 
-/// Text is typed without its keys: fields read the characters, and shortcuts are not meant.
+/// True if the event changes the state of `io`. Text comes without its keys: fields read the characters, and no
+/// shortcut is triggered.
 bool InputQueue::changes(const Event& event, const ImGuiIO& io) {
   if (event.kind == Kind::button) return io.MouseDown[event.code] != event.down;
   if (event.kind != Kind::key) return true;
@@ -49,7 +50,7 @@ bool InputQueue::fits(const Event& event, const Seen& seen) {
   switch (event.kind) {
     case Kind::key:
       return !seen.act && !seen.changed_keys[static_cast<std::size_t>(event.code)];
-    case Kind::button:  // what is pressed or let go has seen the mouse there before
+    case Kind::button:  // the mouse must have been seen there before its button changes
       return !seen.act && !seen.moved;
     case Kind::move:
       return !seen.act;
@@ -67,7 +68,7 @@ bool InputQueue::waits_for_focus(const Event& event) const {
   return frames_to_focus_ > 0 && (event.kind == Kind::text || (event.kind == Kind::key && event.down));
 }
 
-void InputQueue::tell(const Event& event, ImGuiIO& io, Seen& seen) {
+void InputQueue::pass_event(const Event& event, ImGuiIO& io, Seen& seen) {
   switch (event.kind) {
     case Kind::key:
       io.KeysDown[event.code] = event.down;
@@ -77,7 +78,7 @@ void InputQueue::tell(const Event& event, ImGuiIO& io, Seen& seen) {
       break;
     case Kind::button:
       io.MouseDown[event.code] = event.down;
-      frames_to_focus_ = kFramesToFocus;  // a number opens when the button is let go
+      frames_to_focus_ = kFramesToFocus;  // a number opens when the button is released
       break;
     case Kind::move:
       place_ = event.place;
@@ -107,7 +108,7 @@ void InputQueue::play(ImGuiIO& io) {
     }
     if (changes(event, io)) {
       if (waits_for_focus(event) || !fits(event, seen)) break;
-      tell(event, io, seen);
+      pass_event(event, io, seen);
       io.KeyShift = either(io, key::kLeftShift, key::kRightShift);
       io.KeyCtrl = either(io, key::kLeftControl, key::kRightControl);
       io.KeyAlt = either(io, key::kLeftAlt, key::kRightAlt);

@@ -8,23 +8,23 @@
 
 namespace griffith::ui {
 
-/// The window's events on their way to ImGui, in their order. ImGui reads the state of keys and buttons once a frame:
-/// where frames take long, a tap begins and ends within one and would go unseen, and a key would meet modifiers that it
-/// was not pressed with. So each frame gets the next events up to the first that would hide an earlier one of them.
+/// Queue of the window's events for ImGui, in order. ImGui reads the state of keys and buttons once a frame. In a slow
+/// frame a tap would begin and end unseen, and a key would get modifiers it was not pressed with. Each frame therefore
+/// receives the next events up to the first that would hide an earlier one.
 class InputQueue {
  public:
-  /// A key of GLFW's numbering went down or up; others than 0..511 are ignored.
+  /// Records that a key (GLFW's numbering, 0..511) went down or up; other codes are ignored.
   void key(int key, bool down);
-  /// A mouse button, 0..4.
+  /// Records that a mouse button, 0..4, went down or up.
   void button(int button, bool down);
   void move(ImVec2 place);
   void scroll(float right, float up);
   void text(unsigned int character);
 
-  /// What comes behind is for a later frame.
+  /// Defers all later events to a later frame.
   void end_frame();
 
-  /// Tells `io` what the next frame is to see. To be called once a frame, before ImGui::NewFrame().
+  /// Passes the events of the next frame to `io`. Call it once a frame, before ImGui::NewFrame().
   void play(ImGuiIO& io);
   bool empty() const { return events_.empty(); }
 
@@ -32,11 +32,11 @@ class InputQueue {
   enum class Kind { key, button, move, scroll, text, end_frame };
   struct Event {
     Kind kind;
-    int code = 0;  ///< of the key or button, or the character
+    int code = 0;  ///< code of the key or button, or the character
     bool down = false;
-    ImVec2 place = {};  ///< or how far the wheel turned
+    ImVec2 place = {};  ///< position, or rotation of the wheel
   };
-  /// What the frame that is being put together has seen so far.
+  /// Events in the current frame so far.
   struct Seen {
     std::optional<Event> act;  ///< a press, a button, the wheel or text
     bool moved = false;
@@ -46,14 +46,14 @@ class InputQueue {
   static bool changes(const Event& event, const ImGuiIO& io);
   static bool fits(const Event& event, const Seen& seen);
   bool waits_for_focus(const Event& event) const;
-  void tell(const Event& event, ImGuiIO& io, Seen& seen);
+  void pass_event(const Event& event, ImGuiIO& io, Seen& seen);
 
   std::deque<Event> events_;
   ImVec2 place_ = {-FLT_MAX, -FLT_MAX};
-  int frames_to_focus_ = 0;  ///< until what a click opened takes keys
+  int frames_to_focus_ = 0;  ///< frames until the item opened by a click takes keys
 };
 
-/// Tells ImGui which keys move the cursor in texts and leave them, where no window does.
+/// Maps the keys that edit text in ImGui, where no window does so.
 void map_keys(ImGuiIO& io);
 
 }  // namespace griffith::ui

@@ -16,17 +16,17 @@ bool is_logarithmic(const DragStart& start) {
   return !start.whole && start.numbers.minimum > 0 && start.numbers.maximum >= 100 * start.numbers.minimum;
 }
 
-/// The magnitude of numbers of that unit in scenes of a house or less.
+/// Returns the usual magnitude of numbers of that unit in scenes up to the size of a house.
 double usual_magnitude(std::string_view unit) {
   constexpr std::array<std::pair<std::string_view, double>, 3> kUsual = {{{"s", 0.1}, {"N", 1e3}, {"Pa", 1e6}}};
   const auto found = std::ranges::find(kUsual, unit, &std::pair<std::string_view, double>::first);
   return found == kUsual.end() ? 1 : found->second;
 }
 
-/// The change a pixel, of what does not grow by a factor.
+/// Returns the change per pixel for linear drags.
 double linear_step(const DragStart& start) {
   constexpr double kLeastCount = 0.1, kDegrees = 0.5;
-  const double magnitude = std::max(std::abs(start.value), start.beside);
+  const double magnitude = std::max(std::abs(start.value), start.vector_magnitude);
   if (start.whole) return std::max(kLeastCount, kSharePerPixel * magnitude);
   if (start.numbers.unit == "degrees") return kDegrees;
   if (is_ratio(start.numbers) && start.usual == 0)
@@ -35,7 +35,7 @@ double linear_step(const DragStart& start) {
   return kSharePerPixel * (start.usual > 0 ? start.usual : usual_magnitude(start.numbers.unit));
 }
 
-/// `value` as a multiple of `digit` times a power of ten, without digits behind.
+/// Returns the multiple of `digit` times a power of ten nearest to `value`, without trailing digits.
 double rounded(double value, int digit, int exponent) {
   const double power = std::pow(10, std::abs(exponent));
   return exponent < 0 ? std::round(value * power / digit) * digit / power

@@ -7,16 +7,16 @@
 
 namespace griffith::ui {
 
-/// The number field that is held with the mouse or typed into: one at a time.
+/// The number field being dragged or typed into; at most one.
 struct NumberEdit {
   enum class Kind { none, held, dragged, typed };
   Kind kind = Kind::none;
-  std::string tag = {};             ///< of the field
-  double start = 0;                 ///< its value when the edit began
-  SiPrefix prefix = {};             ///< in which it shows values as long as the edit goes on
-  double moved = 0;                 ///< by the mouse since the drag began [pixels, times the pace's factor]
-  std::array<char, 128> text = {};  ///< as typed so far
-  std::string opened_text = {};     ///< with which typing began
+  std::string tag = {};             ///< tag of the field
+  double start = 0;                 ///< value at the start of the edit
+  SiPrefix prefix = {};             ///< prefix of shown values during the edit
+  double moved = 0;                 ///< motion of the mouse since the drag began [pixels, times the pace's factor]
+  std::array<char, 128> text = {};  ///< typed text
+  std::string opened_text = {};     ///< text at the start of typing
   double opened_time = 0;           ///< [s]
   int opened_frame = 0, drawn_frame = 0;
 

@@ -8,10 +8,10 @@
 namespace griffith::ui {
 namespace {
 
-/// What is deeper is soon through [of the width].
+/// Fraction of the width from which an overlap counts as deep: bodies soon pass through each other.
 constexpr double kDeep = 0.25;
 
-/// How far a body reaches along a direction of the world [m]; infinite for one without a shape.
+/// Returns the extent of a body along a direction of the world [m]; infinite for a body without a shape.
 double width_along(const BodyView& body, const Vec3& direction) {
   const Vec3 own = body.orientation.conjugate() * direction;
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -36,9 +36,9 @@ std::optional<DeepOverlap> deep_overlap(const Frame& frame) {
 }
 
 std::string text_of(const DeepOverlap& overlap) {
-  return "Things pass " + format_quantity(overlap.depth, "m", 3) + " into one another, and the thinnest that touches " +
-         "something is " + format_quantity(overlap.width, "m", 3) +
-         " thick. Take a shorter time step, and move apart what starts in one place (View > Problems).";
+  return "Bodies overlap by " + format_quantity(overlap.depth, "m", 3) + ", and the thinnest touching body is " +
+         format_quantity(overlap.width, "m", 3) +
+         " thick. Use a shorter time step, and separate bodies that overlap at the start (View > Problems).";
 }
 
 }  // namespace griffith::ui

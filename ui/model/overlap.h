@@ -7,16 +7,16 @@
 
 namespace griffith::ui {
 
-/// Contacts in which things pass into one another further than they should.
+/// Contacts with excessive penetration.
 struct DeepOverlap {
-  double depth = 0;  ///< of the deepest contact [m]
-  double width = 0;  ///< of the thinnest body that touches something, along the normal of that contact [m]
+  double depth = 0;  ///< penetration of the deepest contact [m]
+  double width = 0;  ///< extent of the thinnest touching body along the normal of that contact [m]
 };
 
-/// Nothing where the deepest overlap is small beside what touches.
+/// Returns the deepest overlap; empty if it is small compared with the touching bodies.
 std::optional<DeepOverlap> deep_overlap(const Frame& frame);
 
-/// What it means and what to do, in two sentences.
+/// Explains the overlap and its remedy in two sentences.
 std::string text_of(const DeepOverlap& overlap);
 
 }  // namespace griffith::ui

@@ -11,31 +11,31 @@
 
 namespace griffith::ui {
 
-// Regions of nodes, painted on the surface of a body at the start of time. Nodes go by their index in the mesh of the
-// body's shape, as NodeListRegion has them.
+// Regions of nodes, painted on the surface of a body at the start of the simulation. Nodes are identified by their
+// index in the mesh of the body's shape, as in NodeListRegion.
 
 /// A stroke of the brush.
 struct RegionStroke {
-  SceneEntry entry;           ///< whose region is painted
-  std::int64_t revision = 0;  ///< of the scene, when the stroke began
+  SceneEntry entry;           ///< entry with the painted region
+  std::int64_t revision = 0;  ///< revision of the scene at the start of the stroke
   bool erases = false;
-  std::set<int> nodes;       ///< of the region, if the stroke ended now
-  Vec2 last = Vec2::Zero();  ///< where the brush was put down last [pixels]
-  bool cancelled = false;    ///< until the button is released
+  std::set<int> nodes;       ///< nodes of the region with the stroke so far
+  Vec2 last = Vec2::Zero();  ///< last position of the brush [pixels]
+  bool cancelled = false;    ///< ignored until the button is released
 };
 
-/// The nodes of a scene body that lie in the region.
+/// Returns the nodes of a scene body that lie in the region.
 std::set<int> nodes_in_region(const Frame& start, const Scene& scene, int scene_body, const Region& region);
 
-/// Where a ray meets a scene body before it meets any other; nothing where it does not.
+/// Returns the first intersection of a ray with a scene body; empty if there is none or another body is hit first.
 std::optional<Vec3> place_on_body(const Frame& start, int scene_body, const ViewRay& ray);
 
-/// The nodes under a brush that is put down at a place of the body: those within `radius` [m] in faces that look
-/// against `direction`, or the nearest of these.
+/// Returns the nodes under a brush at a point of the body: those within `radius` [m] on faces that face against
+/// `direction`, or the nearest of these.
 std::set<int> nodes_under_brush(const Frame& start, int scene_body, const Vec3& place, const Vec3& direction,
                                 double radius);
 
-/// Where nodes of a scene body are [m].
+/// Returns the positions of nodes of a scene body [m].
 std::vector<Vec3> places_of_nodes(const Frame& start, int scene_body, const std::set<int>& nodes);
 
 }  // namespace griffith::ui

@@ -10,59 +10,60 @@
 
 namespace griffith::ui {
 
-/// The values at the lower and the upper end of a plot.
+/// Values at the lower and upper end of a plot.
 struct PlotRange {
   double low = 0, high = 1;
 };
 
-/// A range that holds all finite values, with a little room, and 0 where that is not far. Never empty.
+/// Returns a range of all finite values with a margin; includes 0 if it is near. Never empty.
 PlotRange plot_range(std::span<const RunCurve* const> curves);
-/// Whole decades that hold all positive values, the uppermost twelve at most. Never empty.
+/// Returns the whole decades that contain all positive values, at most the uppermost twelve. Never empty.
 PlotRange decade_range(std::span<const RunCurve* const> curves);
-/// The powers of ten in whole decades, every n-th so that there are about `count` at most, the lowest always.
+/// Returns the powers of ten within whole decades, every n-th so that there are at most about `count`; the lowest is
+/// always included.
 std::vector<double> decade_ticks(const PlotRange& range, double count);
 
-/// Where steps and values are in a plot; places are in pixels, downwards and to the right.
+/// Mapping of steps and values to pixels of a plot, rightward and downward.
 struct PlotView {
   double left = 0, right = 1, top = 0, bottom = 1;
-  std::int64_t first_step = 0, last_step = 0;  ///< at the left and at the right end
+  std::int64_t first_step = 0, last_step = 0;  ///< steps at the left and right end
   double time_step = 0;                        ///< [s]
-  PlotRange range;                             ///< of values
-  bool logarithmic = false;                    ///< equal distances are equal ratios; the range is positive then
+  PlotRange range;                             ///< range of values
+  bool logarithmic = false;                    ///< logarithmic axis; the range is then positive
 
   double x(std::int64_t step) const;
-  /// Values beyond the range are at its ends.
+  /// Returns the vertical position of a value; values beyond the range map to its ends.
   double y(double value) const;
-  /// The lowest value that is drawn.
+  /// Returns the lowest value that is drawn.
   double floor() const;
-  /// The step that is nearest to a place.
+  /// Returns the step nearest to a horizontal position.
   std::int64_t step_at(double x) const;
-  /// A column for each pixel.
+  /// Returns the span of time with a column for each pixel.
   PlotSpan span() const;
 };
 
-/// Curves of one unit, which share an axis.
+/// Curves of one unit with a common axis.
 struct PlotStrip {
   std::string unit;
   std::vector<const RunCurve*> curves;
-  std::span<const double> times;  ///< of their values [s]
+  std::span<const double> times;  ///< times of the values [s]
 };
 
-/// A strip for each unit, in the order of the curves, which have to outlive it.
+/// Groups the curves by unit, in their order. The curves must outlive the result.
 std::vector<PlotStrip> plot_strips(const RunCurves& curves);
 
-/// What of the curves lies in some steps.
+/// Returns the parts of the curves within a span of steps.
 RunCurves part_of(const RunCurves& curves, const StepSpan& steps);
-/// Shows `factor` times as many steps as before, one of which stays where it is; a few at least, and none beyond the
-/// `whole`.
+/// Returns a span with `factor` times as many steps in which the step `fixed` keeps its position; at least a few steps,
+/// and within `whole`.
 StepSpan zoomed(const StepSpan& shown, const StepSpan& whole, std::int64_t fixed, double factor);
-/// As many steps, so many further on, as far as the `whole` has them.
+/// Returns the span moved by so many steps, kept within `whole`.
 StepSpan moved(const StepSpan& shown, const StepSpan& whole, std::int64_t steps);
 
-/// Puts the series into the first slot that is free or has a series that is not there, or takes it out. Nothing changes
-/// where all slots are taken.
+/// Puts the series into the first slot that is free or holds a missing series, or removes it. Does nothing if all slots
+/// are taken.
 void toggle_series(PlotChoice& chosen, const std::string& key, std::span<const RunSeries> there);
-/// How many slots have a series that is there.
+/// Returns the number of slots whose series exists.
 std::size_t count_series(const PlotChoice& chosen, std::span<const RunSeries> there);
 
 }  // namespace griffith::ui

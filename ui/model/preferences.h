@@ -5,17 +5,17 @@
 
 namespace griffith::ui {
 
-/// What a user has chosen for all scenes.
+/// Settings of a user for all scenes.
 struct Preferences {
-  double ui_scale = 1;                         ///< of panels and writing, on top of the screen's own
-  double autosave_interval = 60;               ///< from one copy of edits to the next [s]
-  double mouse_speed = 1;                      ///< of turning and moving the camera
-  bool invert_orbit = false;                   ///< dragging up turns down
-  bool invert_zoom = false;                    ///< the wheel's other way comes closer
-  double left_width = 300, right_width = 300;  ///< of the side panels [design pixels]
+  double ui_scale = 1;                         ///< size of panels and text, relative to the screen's scale
+  double autosave_interval = 60;               ///< interval between copies of unsaved edits [s]
+  double mouse_speed = 1;                      ///< speed of rotating and moving the camera
+  bool invert_orbit = false;                   ///< dragging up rotates down
+  bool invert_zoom = false;                    ///< reverses the wheel
+  double left_width = 300, right_width = 300;  ///< widths of the side panels [design pixels]
   PlotChoice plotted = {"energy.kinetic", "energy.elastic", "pieces"};
-  bool logarithmic_plots = false;  ///< values are drawn by their logarithm
-  double past_memory = 768;        ///< for copies of worlds, so that one can go back fast [MB]
+  bool logarithmic_plots = false;  ///< logarithmic axes of plots
+  double past_memory = 768;        ///< memory for snapshots, which make going back fast [MB]
 
   bool operator==(const Preferences&) const = default;
 };
@@ -24,7 +24,7 @@ inline constexpr Numbers kUiScales = between(0.75, 3, "-"), kAutosaveIntervals =
                          kMouseSpeeds = between(0.1, 5, "-"), kSideWidths = between(240, 520, ""),
                          kPastMemories = between(32, 65536, "MB");
 
-/// Calls `visit(name, member, limits)` for each number, `visit(name, member)` for each switch and for the choice of
+/// Calls `visit(name, member, limits)` for each number and `visit(name, member)` for each switch and for the choice of
 /// plots.
 template <typename P, typename Visit>
 void each_preference(P& preferences, const Visit& visit) {

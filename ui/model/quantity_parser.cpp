@@ -6,13 +6,13 @@
 namespace griffith::ui {
 namespace {
 
-/// A value on the way to the result.
+/// An intermediate value of the expression.
 struct Term {
   double value = 0;
   bool has_unit = false;
 };
 
-/// `number` times a unit's factor; 9 mm are the double that is nearest to 0.009.
+/// Returns `number` times a unit's factor, correctly rounded: 9 mm is the double nearest to 0.009.
 double times(double number, double factor) {
   const double inverse = std::round(1 / factor);
   return factor < 1 && std::abs(inverse * factor - 1) < 1e-12 ? number / inverse : number * factor;

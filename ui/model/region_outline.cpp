@@ -45,7 +45,7 @@ void add_plane(const HalfSpaceRegion& half_space, double size, std::vector<Regio
   lines.push_back({half_space.point, half_space.point + size / 4 * normal});
 }
 
-/// The sum without digits that are there by rounding alone, as far as nanometres tell.
+/// Returns the sum rounded to nanometers, without digits that come from rounding errors alone.
 double tidy_sum(double place, double offset) {
   constexpr double kParts = 1e9;
   return offset == 0 ? place : std::round((place + offset) * kParts) / kParts;
@@ -55,7 +55,7 @@ Vec3 tidy_sum(const Vec3& place, const Vec3& offset) {
   return place.binaryExpr(offset, [](double a, double b) { return tidy_sum(a, b); });
 }
 
-/// Where scene files can have it.
+/// Clamps a point to the range that scene files allow.
 Vec3 in_limits(const Vec3& place) { return place.cwiseMax(kPlace.minimum).cwiseMin(kPlace.maximum); }
 
 void keep_in_limits(Region& region) {

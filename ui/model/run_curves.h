@@ -8,49 +8,49 @@
 
 namespace griffith::ui {
 
-/// How many series are plotted at once, each in a colour of its own.
+/// Largest number of plotted series, each with a color of its own.
 inline constexpr std::size_t kMaxPlotted = 6;
 
-/// A quantity that has a value in every step.
+/// A quantity with a value in every step.
 struct RunSeries {
   std::string key;    ///< "energy.kinetic", "pieces", "probe.tip.velocity.x"
-  std::string group;  ///< under which lists show it: "Energy"
+  std::string group;  ///< heading in lists: "Energy"
   std::string label;  ///< "Kinetic"
-  std::string unit;   ///< of a number that counts nothing: "J", "-" for a ratio; else empty
+  std::string unit;   ///< unit: "J", "-" for a ratio; empty for a count
 };
 
-/// A series that is plotted.
+/// A plotted series.
 struct RunCurve {
   RunSeries series;
-  std::size_t slot = 0;        ///< of PlotChoice, which gives the colour
-  std::vector<double> values;  ///< [series.unit], one a recorded step
+  std::size_t slot = 0;        ///< slot of PlotChoice, which determines the color
+  std::vector<double> values;  ///< value of each recorded step [series.unit]
 };
 
-/// What was recorded of the chosen series on the way to the end of the shown branch.
+/// Recorded values of the chosen series up to the end of the shown branch.
 struct RunCurves {
   std::vector<std::int64_t> steps;  ///< ascending
-  std::vector<double> times;        ///< of them [s]
-  std::vector<RunCurve> curves;     ///< by slot
+  std::vector<double> times;        ///< times of the steps [s]
+  std::vector<RunCurve> curves;     ///< curves by slot
 };
 
-/// The keys of the plotted series; an empty slot is free. Keys that a scene lacks plot nothing.
+/// Keys of the plotted series; an empty slot is free. Keys that a scene lacks plot nothing.
 using PlotChoice = std::array<std::string, kMaxPlotted>;
 
-/// The series of the node that is selected, whichever it is.
+/// Key of the series of the selected node.
 inline constexpr char kNodeUtilization[] = "node.utilization";
 
-/// Steps from the first to the last, both included.
+/// Range of steps, both ends included.
 struct StepSpan {
   std::int64_t first = 0, last = 0;
   bool operator==(const StepSpan&) const = default;
 };
 
-/// What the panel of plots shows, besides what Preferences say.
+/// State of the plot panel besides Preferences.
 struct PlotsState {
   bool shown = false;
-  std::optional<StepSpan> zoom;  ///< the steps that are shown; none: all
-  bool for_picture = false;      ///< all strips are to be seen, and nothing that follows the mouse
-  float height = 0;              ///< of the panel [pixels]; 0: not laid out yet
+  std::optional<StepSpan> zoom;  ///< shown steps; none: all
+  bool for_picture = false;      ///< draws all strips and nothing that follows the mouse
+  float height = 0;              ///< height of the panel [pixels]; 0: not laid out yet
 };
 
 }  // namespace griffith::ui

@@ -16,32 +16,32 @@ namespace griffith::ui {
 struct SceneCard {
   std::filesystem::path file;
   std::string title, topic;
-  std::string description;          ///< in a sentence or two; of a file that cannot be read, why
-  bool readable = true;             ///< the file holds a scene
-  ImTextureID thumbnail = nullptr;  ///< 16:9, first row on top; null: there is none yet
+  std::string description;          ///< one or two sentences; for an unreadable file the error
+  bool readable = true;             ///< true if the file holds a scene
+  ImTextureID thumbnail = nullptr;  ///< 16:9, first row on top; null: not available yet
 };
 
-/// What the browser of scenes shows.
+/// State of the scene browser.
 struct SceneBrowser {
   bool shown = false;
-  std::array<char, 64> text = {};  ///< words that the shown scenes have
-  std::size_t chosen = 0;          ///< among those that are shown
+  std::array<char, 64> text = {};  ///< words that the shown scenes contain
+  std::size_t chosen = 0;          ///< index among the shown scenes
 };
 
 /// Cards side by side.
 struct CardRow {
-  std::size_t first = 0, count = 0;  ///< among the shown ones
+  std::size_t first = 0, count = 0;  ///< range of the shown cards
   bool operator==(const CardRow&) const = default;
 };
 
-/// The cards that have each word of `text` in title, topic, description or the file's name, whatever the case. Those of
-/// a topic stand together; topics and their cards stand in the order in which they come.
+/// Returns the cards that contain each word of `text` in title, topic, description or file name, in any case. Cards of
+/// a topic are adjacent; topics and their cards keep their order.
 std::vector<const SceneCard*> shown_cards(std::span<const SceneCard> cards, std::string_view text);
 
-/// Lays `cards` of them out, `columns` side by side. `columns`: 1 or more.
+/// Arranges `cards` cards in rows of `columns` >= 1.
 std::vector<CardRow> card_rows(std::size_t cards, std::size_t columns);
 
-/// The card that is so many to the right, or rows down, of the chosen one; at the ends of all rows the last there is.
+/// Returns the index of the card `right` columns and `down` rows from the chosen one, kept within the rows.
 std::size_t moved_choice(std::span<const CardRow> rows, std::size_t chosen, int right, int down);
 
 }  // namespace griffith::ui

@@ -13,7 +13,7 @@ void add_all(std::vector<SceneEntry>& entries, EntryKind kind, std::size_t count
   for (std::size_t i = 0; i < count; ++i) entries.push_back({kind, static_cast<int>(i), body});
 }
 
-/// Probes know bodies by their name.
+/// Renames a body in the probes that refer to it.
 void rename_in_probes(Scene& scene, const std::string& from, const std::string& to) {
   for (Probe& probe : scene.probes)
     if (probe.body == from) probe.body = to;
@@ -79,12 +79,12 @@ std::optional<int> body_of(const Scene& scene, const SceneEntry& entry) {
 }
 
 std::string rename_entry(Scene& scene, const SceneEntry& entry, const std::string& name) {
-  if (name.empty()) return "A name cannot be empty: it stays as it was.";
+  if (name.empty()) return "A name cannot be empty; it was not changed.";
   return visit_list(scene, entry, [&](auto& list) -> std::string {
     auto& item = list[static_cast<std::size_t>(entry.index)];
     if constexpr (requires { item.name; }) {
       for (const auto& other : list)
-        if (&other != &item && other.name == name) return "Another one has the name \"" + name + "\".";
+        if (&other != &item && other.name == name) return "There is already one with the name \"" + name + "\".";
       if (entry.kind == EntryKind::body) rename_in_probes(scene, item.name, name);
       item.name = name;
     }
@@ -93,7 +93,7 @@ std::string rename_entry(Scene& scene, const SceneEntry& entry, const std::strin
 }
 
 void remove_entries(Scene& scene, std::vector<SceneEntry> entries) {
-  // From behind, so that indices hold: what belongs to bodies before the bodies themselves.
+  // From the end, so that indices stay valid: the parts of bodies before the bodies themselves.
   std::ranges::sort(entries, [](const SceneEntry& a, const SceneEntry& b) {
     if ((a.kind == EntryKind::body) != (b.kind == EntryKind::body)) return b.kind == EntryKind::body;
     return a > b;
@@ -109,14 +109,14 @@ void remove_entries(Scene& scene, std::vector<SceneEntry> entries) {
 
 namespace {
 
-/// Whether the entry beside, that way, is there and stays where it is.
+/// True if the entry has a neighbor on that side that does not move.
 bool has_room(const Scene& scene, const std::vector<SceneEntry>& entries, SceneEntry entry, int way) {
   do entry.index += way;
   while (std::ranges::find(entries, entry) != entries.end());
   return entry.index >= 0 && has_entry(scene, entry);
 }
 
-/// What belongs to a body goes with it.
+/// Updates the parts of a body that moved.
 void follow_body(std::vector<SceneEntry>& entries, const SceneEntry& from, const SceneEntry& to) {
   if (from.kind != EntryKind::body) return;
   for (SceneEntry& entry : entries)
@@ -133,7 +133,7 @@ bool can_move(const Scene& scene, const std::vector<SceneEntry>& entries, int wa
 std::vector<SceneEntry> move_entries(Scene& scene, std::vector<SceneEntry> entries, int way) {
   std::vector<std::size_t> order(entries.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  // Those ahead go first, so that each finds its place free; parts before the bodies that they would follow.
+  // The leading entries go first, so that each finds its place free; parts go before their bodies.
   std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
     if (entries[a].kind != entries[b].kind) return entries[a].kind > entries[b].kind;
     return way < 0 ? entries[a].index < entries[b].index : entries[a].index > entries[b].index;

@@ -14,15 +14,15 @@ namespace griffith::ui {
 
 enum class EntryKind { body, support, load, projectile, probe, camera };
 
-/// A part of a scene, as the outliner lists it.
+/// A part of a scene, as listed in the outliner.
 struct SceneEntry {
   EntryKind kind = EntryKind::body;
-  int index = 0;  ///< in its list: the scene's or, of supports and loads, their body's
-  int body = 0;   ///< whose support or load it is; of others 0
+  int index = 0;  ///< index in its list: the scene's or, for supports and loads, their body's
+  int body = 0;   ///< body of a support or load; 0 for others
   auto operator<=>(const SceneEntry&) const = default;
 };
 
-/// Calls `action` with the list that holds the entry, which its body has to have.
+/// Calls `action` with the list that holds the entry. Its body must exist.
 template <class AnyScene, class Action>
 decltype(auto) visit_list(AnyScene& scene, const SceneEntry& entry, Action action) {
   const auto body = static_cast<std::size_t>(entry.body);
@@ -42,48 +42,48 @@ decltype(auto) visit_list(AnyScene& scene, const SceneEntry& entry, Action actio
   }
 }
 
-/// Calls `action` with the entry itself, which has to be there.
+/// Calls `action` with the entry itself, which must exist.
 template <class AnyScene, class Action>
 decltype(auto) visit_entry(AnyScene& scene, const SceneEntry& entry, Action action) {
   return visit_list(scene, entry, [&](auto& list) { return action(list[static_cast<std::size_t>(entry.index)]); });
 }
 
-/// All that a scene holds: each body with its supports and loads, then projectiles, probes and cameras.
+/// Returns all entries of a scene: each body with its supports and loads, then projectiles, probes and cameras.
 std::vector<SceneEntry> scene_entries(const Scene& scene);
 bool has_entry(const Scene& scene, const SceneEntry& entry);
 
-/// Whether entries of the kind are in a list of their body.
+/// True if entries of the kind belong to a body's list.
 constexpr bool is_part_of_body(EntryKind kind) { return kind == EntryKind::support || kind == EntryKind::load; }
-/// Whether entries of the kind have a name of their own.
+/// True if entries of the kind have a name of their own.
 bool has_name(EntryKind kind);
-/// Its name, or "Support 2".
+/// Returns its name, or "Support 2".
 std::string entry_name(const Scene& scene, const SceneEntry& entry);
-/// "Support 2 of wall".
+/// Returns its name with its body: "Support 2 of wall".
 std::string full_name(const Scene& scene, const SceneEntry& entry);
-/// Which body it is, or belongs to; nothing for projectiles, cameras, and probes of none.
+/// Returns the body that the entry is or belongs to; empty for projectiles, cameras, and probes without a body.
 std::optional<int> body_of(const Scene& scene, const SceneEntry& entry);
 
-/// Gives a named entry another name; probes follow their body. Returns why not, or an empty text.
+/// Renames an entry; probes follow their body. Returns the reason if it cannot, else an empty text.
 std::string rename_entry(Scene& scene, const SceneEntry& entry, const std::string& name);
-/// Takes entries out, and the probes of bodies that go.
+/// Removes entries, and the probes of removed bodies.
 void remove_entries(Scene& scene, std::vector<SceneEntry> entries);
-/// Appends a copy of the entry to its list, by another name. Returns which it is.
+/// Appends a copy of the entry under a new name to its list. Returns the copy.
 SceneEntry append_copy(Scene& scene, const SceneEntry& entry);
 
-/// Whether any of the entries has room in its list for a place further up (`way` -1) or down (1).
+/// True if any of the entries can move up (`way` -1) or down (1) in its list.
 bool can_move(const Scene& scene, const std::vector<SceneEntry>& entries, int way);
-/// Moves entries by one place in their lists, up (`way` -1) or down (1); those at the end that way, and those behind
-/// them, stay. Returns which they are now, in the same order.
+/// Moves entries by one place up (`way` -1) or down (1) in their lists; those at that end, and those behind them, stay.
+/// Returns their new entries in the same order.
 std::vector<SceneEntry> move_entries(Scene& scene, std::vector<SceneEntry> entries, int way);
 
-/// A name that ends in a number of its own: "leg 2" is "leg" and 2; without one the number is 1.
+/// A name with its trailing number: "leg 2" is "leg" and 2; without one the number is 1.
 struct NumberedName {
   std::string name;
   int number = 1;
 };
 NumberedName numbered_name(const std::string& name);
 
-/// The wanted name where no item has it, else with the next number that is free behind it.
+/// Returns the wanted name if no item has it, else the name with the next free number.
 template <class T>
 std::string free_name(const std::vector<T>& items, const std::string& wanted) {
   std::string free = wanted;

@@ -7,7 +7,7 @@
 
 namespace griffith::ui {
 
-/// What each file is called in a list: its name, with its folder behind it where another has the same name.
+/// Returns the listed name of each file, followed by its folder if another file has the same name.
 std::vector<std::string> scene_names(std::span<const std::filesystem::path> files);
 
 }  // namespace griffith::ui

@@ -15,7 +15,7 @@ constexpr std::array<std::pair<std::string_view, EntryKind>, 4> kLists = {{{"bod
 constexpr std::array<std::pair<std::string_view, EntryKind>, 2> kListsOfBody = {
     {{"supports", EntryKind::support}, {"loads", EntryKind::load}}};
 
-/// The first part of the pointer, which loses it: "bodies" of "/bodies/0".
+/// Removes and returns the first part of the pointer: "bodies" of "/bodies/0".
 std::string_view take_part(std::string_view& pointer) {
   if (pointer.starts_with('/')) pointer.remove_prefix(1);
   const std::string_view part = pointer.substr(0, pointer.find('/'));
@@ -23,7 +23,7 @@ std::string_view take_part(std::string_view& pointer) {
   return part;
 }
 
-/// The entry of one of the lists that the pointer begins with, which loses that part.
+/// Removes and returns the list entry with which the pointer begins.
 template <std::size_t N>
 std::optional<SceneEntry> take_entry(const Scene& scene, std::string_view& pointer, int body,
                                      const std::array<std::pair<std::string_view, EntryKind>, N>& lists) {
@@ -39,7 +39,7 @@ std::optional<SceneEntry> take_entry(const Scene& scene, std::string_view& point
   return entry;
 }
 
-/// The entry that the pointer names or leads into; the pointer becomes what is left.
+/// Returns the entry that the pointer names or leads into, and removes it from the pointer.
 std::optional<SceneEntry> take_entry(const Scene& scene, std::string_view& pointer) {
   const std::optional<SceneEntry> entry = take_entry(scene, pointer, 0, kLists);
   if (!entry || entry->kind != EntryKind::body) return entry;

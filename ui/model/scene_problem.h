@@ -8,35 +8,35 @@
 
 namespace griffith::ui {
 
-/// What should be known about a part of the scene.
+/// A warning about a part of the scene.
 struct SceneProblem {
   std::string pointer;  ///< JSON pointer to the part: "/bodies/0/loads/1/region"
   std::string text, remedy;
 };
 
-/// What is shown of the problems.
+/// State of the problem panel.
 struct ProblemView {
   bool shown = false;
-  float height = 0;  ///< of the panel [pixels]; 0: not laid out yet
+  float height = 0;  ///< height of the panel [pixels]; 0: not laid out yet
 };
 
-/// Where the editor shows what a JSON pointer names.
+/// Place in the editor that a JSON pointer names.
 struct FieldPlace {
-  std::optional<SceneEntry> entry;  ///< to be chosen in the outliner; nothing: a field of the scene itself
-  std::string tag;                  ///< of the field: "entry/region"
+  std::optional<SceneEntry> entry;  ///< entry to choose in the outliner; none: a field of the scene itself
+  std::string tag;                  ///< tag of the field: "entry/region"
   bool operator==(const FieldPlace&) const = default;
 };
 FieldPlace field_place(const Scene& scene, std::string_view pointer);
 
-/// "Load 2 of wall: region"; the names of fields alone where it is a part of the scene itself.
+/// Describes the place: "Load 2 of wall: region"; only field names for a part of the scene itself.
 std::string place_text(const Scene& scene, std::string_view pointer);
 
-/// A field that the panels unfold and scroll to, for as many frames as that takes.
+/// A field that the panels unfold and scroll to within a few frames.
 struct SoughtField {
   std::string tag;
-  int frames = 0;  ///< left
+  int frames = 0;  ///< remaining frames
 };
-/// Whether the sought field is the one of this tag, or a part of it.
+/// True if the sought field has this tag or is a part of it.
 bool is_within(std::string_view sought, std::string_view tag);
 
 }  // namespace griffith::ui

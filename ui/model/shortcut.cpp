@@ -40,7 +40,7 @@ std::optional<int> key_of_name(std::string_view name) {
   return named == kKeyNames.end() ? std::nullopt : std::optional(named->first);
 }
 
-/// Whether the text began with `modifier`, which is then cut off.
+/// Removes `modifier` from the start of the text. True if it was there.
 bool cut_modifier(std::string_view& text, std::string_view modifier) {
   if (!text.starts_with(modifier)) return false;
   text.remove_prefix(modifier.size());

@@ -15,16 +15,16 @@ inline constexpr int kRightShift = 344, kRightControl = 345, kRightAlt = 346, kR
 inline constexpr int kFirstModifier = kLeftShift, kLastModifier = kRightSuper;
 }  // namespace key
 
-/// A key with the modifiers that are held down with it.
+/// A key with its modifiers.
 struct Shortcut {
   int key = key::kNone;
   bool ctrl = false, shift = false;
   bool operator==(const Shortcut&) const = default;
 };
 
-/// "Ctrl+Shift+Z"; empty where there is none.
+/// Returns the text of a shortcut: "Ctrl+Shift+Z"; empty if there is none.
 std::string shortcut_text(const Shortcut& shortcut);
-/// Reads such a text; nothing where it names no key.
+/// Parses such a text; empty if it names no key.
 std::optional<Shortcut> shortcut_from_text(std::string_view text);
 
 }  // namespace griffith::ui

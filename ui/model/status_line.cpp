@@ -5,7 +5,7 @@
 namespace griffith::ui {
 namespace {
 
-/// Lines before this one that hold so long are over.
+/// Returns the first line that is still valid for that span.
 std::size_t first_valid(const EditorState& state, LogSpan span) {
   switch (span) {
     case LogSpan::lasting:

@@ -4,7 +4,7 @@
 
 namespace griffith::ui {
 
-/// The newest message that is still true, or nullptr: what the status bar shows.
+/// Returns the newest message that is still valid, or nullptr: the text of the status bar.
 const LogLine* status_line(const EditorState& state);
 
 }  // namespace griffith::ui

@@ -7,18 +7,18 @@
 
 namespace griffith::ui {
 
-/// A crack that opens in the next step, as is known once that step was made and taken back.
+/// A crack of the next step, known because that step was made and undone.
 struct ComingCrack {
-  NodeId node;                      ///< as the state before the step numbers it
+  NodeId node;                      ///< node, in the numbering before the step
   double time = 0;                  ///< [s]
   double load = 0, resistance = 0;  ///< [Pa] or [N], by the criterion
 };
 
-/// Why the simulation stopped by itself before a step. It is true of the state that it stopped in alone.
+/// Reason why the simulation stopped by itself before a step; valid in that state alone.
 struct Stop {
   std::string reason;               ///< "Node 12 cracks in the next step."
-  NodeId node;                      ///< that cracks and is there already; invalid: none
-  std::vector<ComingCrack> cracks;  ///< first one of each node that cracks in the next step and is there already
+  NodeId node;                      ///< existing node that cracks; invalid: none
+  std::vector<ComingCrack> cracks;  ///< first crack of each existing node that cracks in the next step
 };
 
 }  // namespace griffith::ui

@@ -8,8 +8,7 @@
 
 namespace griffith::ui {
 
-/// Calls `action` with the tet and the corners of each face of the frame's surface, counter-clockwise seen from
-/// outside.
+/// Calls `action` with the tet and corners of each face of the frame's surface, counterclockwise seen from outside.
 template <class Action>
 void for_each_surface_face(const Frame& frame, Action action) {
   for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet) {
@@ -22,10 +21,10 @@ void for_each_surface_face(const Frame& frame, Action action) {
   }
 }
 
-/// Where a ray meets the frame's surface first.
+/// First intersection of a ray with the frame's surface.
 struct SurfaceHit {
   double distance = 0;  ///< in lengths of the ray's direction
-  std::size_t tet = 0;  ///< whose face it meets
+  std::size_t tet = 0;  ///< tet with the hit face
 };
 std::optional<SurfaceHit> first_surface_hit(const Frame& frame, const Vec3& origin, const Vec3& direction);
 

@@ -11,14 +11,14 @@ namespace {
 constexpr std::array<SiPrefix, 8> kPrefixes = {
     {{1e-9, "n"}, {1e-6, "µ"}, {1e-3, "m"}, {1, ""}, {1e3, "k"}, {1e6, "M"}, {1e9, "G"}, {1e12, "T"}}};
 
-/// As it is typed where the keyboard has no dot for products.
+/// Returns the spelling for keyboards without a dot for products.
 std::string_view spelled_plainly(std::string_view unit) { return unit == "Pa·√m" ? "Pa√m" : unit; }
 
 bool takes_prefix(std::string_view unit) {
   return unit == "Pa" || unit == "N" || unit == "J" || unit == "m" || unit == "Pa·√m" || unit == "Hz";
 }
 
-/// Other spellings, and other units of the same kind.
+/// Another spelling, or another unit of the same kind.
 struct OtherUnit {
   std::string_view unit, spelling;
   double factor;  ///< units in one of the other
@@ -42,7 +42,7 @@ constexpr std::array kOtherUnits =
 SiPrefix si_prefix(double value, std::string_view unit) {
   const double magnitude = std::abs(value);
   if (!takes_prefix(unit) || magnitude == 0 || !std::isfinite(magnitude)) return {};
-  SiPrefix best;  // what is below the table is written with an exponent instead
+  SiPrefix best;  // values below the table are written with an exponent
   for (const SiPrefix& prefix : kPrefixes) {
     if (magnitude >= prefix.factor * (1 - 1e-12)) best = prefix;
   }
@@ -52,7 +52,7 @@ SiPrefix si_prefix(double value, std::string_view unit) {
 std::string format_number(double value, const SiPrefix& prefix, int digits) {
   std::array<char, 64> number;
   const double scaled = value / prefix.factor;
-  // From 1000 on %g would switch to an exponent for few digits.
+  // From 1000 on %g would write an exponent if there are few digits.
   if (std::abs(scaled) >= 1000 && std::abs(scaled) < 1e6) {
     std::snprintf(number.data(), number.size(), "%.0f", scaled);
   } else {
@@ -100,9 +100,9 @@ std::string range_text_with_prefix(const Numbers& numbers) {
 std::string clamped_note(double typed, const Numbers& numbers) {
   const std::string_view unit = unit_symbol(numbers);
   const bool high = typed > numbers.maximum;
-  return format_quantity(typed, unit, 6) + (high ? " is more than " : " is less than ") +
+  return format_quantity(typed, unit, 6) + (high ? " is above the maximum " : " is below the minimum ") +
          format_quantity(high ? numbers.maximum : numbers.minimum, unit) +
-         " and was set to it: " + range_text_with_prefix(numbers) + " is possible.";
+         " and was set to it. Allowed: " + range_text_with_prefix(numbers) + ".";
 }
 
 UnitSpelling unit_at(std::string_view text, std::string_view unit) {

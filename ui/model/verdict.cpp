@@ -8,27 +8,27 @@
 namespace griffith::ui {
 namespace {
 
-// Utilizations: from the first on a node is near to breaking; below the second is what rounding leaves.
+// Utilizations: a node is close to fracture above the first; values below the second are rounding errors.
 constexpr double kNear = 0.8, kNoise = 1e-6;
 
 std::string percent(double fraction) { return format_quantity(100 * fraction, "", 3) + " %"; }
 
-/// Why what is overloaded has not parted.
-std::string why_whole(const Frame& frame, bool fracture) {
+/// Explains why overloaded material has not separated.
+std::string reason_unbroken(const Frame& frame, bool fracture) {
   if (!fracture) return "the scene does not let bodies break.";
   if (frame.report.cracks_postponed > 0)
-    return "the budget of cracks a step was used up. It breaks in the next step if the load stays.";
+    return "the limit of cracks per step was reached. It breaks in the next step if the load persists.";
   if (frame.report.cracks_suppressed > 0) return "the fragment would have been smaller than the scene allows.";
-  return "a crack that opened close by relieves it first, or all its elements lie on one side of the plane.";
+  return "a crack nearby relieved it first, or all its elements lie on one side of the plane.";
 }
 
-/// `what`: "Broke", "Its piece broke" or "Shown".
+/// Describes a scaled impact. `what`: "Broke", "Its piece broke" or "Shown".
 std::string scaled_text(const std::string& what, const ScaledImpact& impact) {
   return " " + what + " at " + scale_text(impact) + ", " + format_quantity(1 / impact.factor, "", 2) +
          " times slower: " + reason(impact) + ".";
 }
 
-/// What stood in for the material when the node broke, now, or when its piece broke; empty where nothing did.
+/// Describes the stand-in material when the node broke, now, or when its piece broke; empty if there was none.
 std::string scaling_note(const NodeReport& report, const Frame& frame) {
   const BodyView& body = frame.bodies[report.body];
   if (!report.events.empty())
@@ -41,11 +41,11 @@ std::string breaking(const CrackEvent& event, const char* unit) {
   std::string text = "Broke at " + format_quantity(event.time, "s", 3) + " (step " + std::to_string(step_of(event)) +
                      "): the load of " + format_quantity(event.load, unit, 3) + " was " +
                      percent(event.load / event.resistance) + " of the resistance.";
-  if (event.torn_off) text += " A support lost its hold there.";
+  if (event.torn_off) text += " A support came off there.";
   return text;
 }
 
-/// What the next step does. `now`: the utilization there is before it, if it was measured.
+/// Predicts the next step. `now`: utilization before it, if measured.
 std::string about_to_crack(const ComingCrack& coming, const Frame& frame, const NodeReport& report, const char* unit) {
   std::string text = "Cracks in the next step, at " + format_quantity(coming.time, "s", 3) + " (step " +
                      std::to_string(frame.step + 1) + "): a load of " + format_quantity(coming.load, unit, 3) +
@@ -55,21 +55,21 @@ std::string about_to_crack(const ComingCrack& coming, const Frame& frame, const 
   return text;
 }
 
-/// What the load does to what is there. `whole`: it has not cracked before.
+/// Describes the load on existing material. `whole`: the node has not cracked before.
 std::string under_load(const NodeState& state, const NodeReport& report, const Frame& frame, bool fracture) {
   const Material& material = frame.materials[frame.bodies[report.body].scene_body];
   const NodeSeparation& separation = report.separation;
-  const std::string what = state.crack ? "What is left holds" : "Holds", share = percent(separation.utilization);
+  const std::string what = state.crack ? "The rest holds" : "Holds", share = percent(separation.utilization);
   switch (state.load) {
     case NodeState::Load::unmeasured:
-      return state.crack ? "The load on what is left has not been measured yet."
-                         : "No load has been measured here yet.";
+      return state.crack ? "The load on the rest has not been measured yet." : "No load has been measured here yet.";
     case NodeState::Load::none:
-      return what + ": there is no load to speak of.";
+      return what + ": there is practically no load.";
     case NodeState::Load::above:
-      return state.crack ? "What is left is overloaded, at " + share +
-                               " of its resistance, and has not parted: " + why_whole(frame, fracture)
-                         : "Overloaded, at " + share + " of its resistance, but whole: " + why_whole(frame, fracture);
+      return state.crack
+                 ? "The rest is overloaded, at " + share +
+                       " of its resistance, but has not separated: " + reason_unbroken(frame, fracture)
+                 : "Overloaded, at " + share + " of its resistance, but whole: " + reason_unbroken(frame, fracture);
     case NodeState::Load::below:
     case NodeState::Load::near:
       break;
@@ -78,23 +78,21 @@ std::string under_load(const NodeState& state, const NodeReport& report, const F
                      " is " + share + " of the resistance.";
   if (report.at_crack_front) text += " A crack ends here, so the fracture toughness counts.";
   if (separation.eigenvalue <= 0 && separation.utilization <= 0)
-    text += " Nothing pulls: the elements press on the node.";
+    text += " There is no tension: the elements compress the node.";
   return text;
 }
 
-/// What the motion of its piece means for the node; empty: nothing.
+/// Explains the effect of the piece's motion on the node; empty: none.
 std::string of_piece(NodeState::Piece piece) {
   switch (piece) {
     case NodeState::Piece::elastic:
       return "";
     case NodeState::Piece::asleep:
-      return "Its piece is asleep: it lies still, under the load that it has, until something strikes it.";
+      return "Its piece is asleep: it stays at rest under its present load until an impact.";
     case NodeState::Piece::rigid:
-      return "Its piece moves as a rigid body: what little stress it was left with stays as it is until something "
-             "strikes.";
+      return "Its piece moves as a rigid body: its small residual stress stays the same until an impact.";
     case NodeState::Piece::rigid_asleep:
-      return "Its piece lies still as a rigid body, asleep: what little stress it was left with stays as it is until "
-             "something strikes.";
+      return "Its piece is asleep as a rigid body: its small residual stress stays the same until an impact.";
     case NodeState::Piece::single_element:
       return "A single element cannot break any further.";
   }
@@ -114,7 +112,7 @@ NodeState::Load load_state(const NodeSeparation& separation) {
   return separation.utilization > 0 && separation.utilization < kNoise ? NodeState::Load::none : NodeState::Load::below;
 }
 
-/// Whether what was measured is the load under which the node cracked, and not one on what that left.
+/// True if the measured load is the one under which the node cracked, not one on the remaining material.
 bool is_load_of(const CrackEvent& crack, const NodeSeparation& separation) {
   constexpr double kRoundOff = 1e-9;
   return std::isfinite(separation.resistance) &&
@@ -130,7 +128,7 @@ Verdict::Kind kind_of(const NodeState& state) {
   return state.load == NodeState::Load::near ? Verdict::Kind::near : Verdict::Kind::holds;
 }
 
-/// But for what stood in for the material.
+/// Returns the verdict without the note on stand-in materials.
 Verdict bare_verdict(const NodeState& state, const NodeReport& report, const Frame& frame, bool fracture) {
   const char* unit = load_unit(frame.materials[frame.bodies[report.body].scene_body]);
   const bool rigid = state.piece != NodeState::Piece::elastic && state.piece != NodeState::Piece::asleep;
@@ -149,7 +147,7 @@ Verdict bare_verdict(const NodeState& state, const NodeReport& report, const Fra
 
 std::string stand_in_text(const ScaledImpact& impact) {
   return "As a material of " + format_quantity(impact.young_modulus, "Pa", 3) + " with a strength of " +
-         format_quantity(impact.tensile_strength, "Pa", 3) + " it breaks at the speed at which it should, " +
+         format_quantity(impact.tensile_strength, "Pa", 3) + " it breaks at the correct impact speed, " +
          format_quantity(1 / impact.factor, "", 2) + " times slower: " + reason(impact) +
          ". A larger step_budget scales less.";
 }
@@ -172,8 +170,8 @@ const char* contribution_unit(const NodeReport& report) { return report.by_tensi
 std::string origin_of_load(const NodeReport& report, const Material& material) {
   const double pull = report.plane.eigenvalue;
   if (report.by_tension) return "the mean tensile stress of its elements";
-  if (pull <= 0 || report.load <= 0) return "nothing pulls";
-  if (material.criterion == FractureCriterion::separation_force) return "what pulls across the plane";
+  if (pull <= 0 || report.load <= 0) return "no tension";
+  if (material.criterion == FractureCriterion::separation_force) return "the tensile force across the plane";
   return format_quantity(pull, "N") + " over " + format_quantity(pull / report.load, "m²");
 }
 

@@ -41,7 +41,7 @@ void show_layer(ViewSettings& view, ViewLayer layer, bool show) {
 }
 
 bool parts_at_zero(const ViewSettings& view) {
-  constexpr double kSame = 1e-6;  // of a range that was rounded
+  constexpr double kSame = 1e-6;  // relative tolerance for a rounded range
   if (view.color_map != "automatic") return false;
   const auto quantity = std::ranges::find(view_quantities(), view.quantity, &ViewQuantity::key);
   if (quantity == view_quantities().end() || !quantity->is_signed) return false;

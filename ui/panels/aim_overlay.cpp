@@ -16,7 +16,7 @@ double length_of(const std::vector<Vec3>& way) {
   return length;
 }
 
-/// A ring as large as what is fired, a few pixels at least.
+/// Draws a ring as large as the projectile, at least a few pixels.
 void draw_impact(const Panel& panel, ImDrawList* list, const Vec3& place) {
   const ViewCamera camera = view_camera(panel);
   const std::optional<Vec2> pixel = camera.pixel(place);
@@ -36,10 +36,10 @@ void aim_shot(Panel& panel, const Vec2& cursor) {
   if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) aimed_at = cursor;
   if (!aimed_at) return;
   aimed_at = cursor;
-  const bool given_up = ImGui::IsKeyPressed(key::kEscape, false), held = ImGui::IsMouseDown(ImGuiMouseButton_Right);
-  if (held && !given_up) return;
+  const bool cancelled = ImGui::IsKeyPressed(key::kEscape, false), held = ImGui::IsMouseDown(ImGuiMouseButton_Right);
+  if (held && !cancelled) return;
   aimed_at.reset();
-  if (!given_up && ImGui::IsItemHovered()) issue(panel, {.id = CommandId::fire, .cursor = cursor});
+  if (!cancelled && ImGui::IsItemHovered()) issue(panel, {.id = CommandId::fire, .cursor = cursor});
 }
 
 void draw_aim(const Panel& panel) {
@@ -50,7 +50,7 @@ void draw_aim(const Panel& panel) {
   for (std::size_t i = 1; i < aim.flight.size(); ++i) lines.push_back({aim.flight[i - 1], aim.flight[i]});
   draw_world_lines(panel, list, lines, {}, kHeldColor);
   if (aim.hits) draw_impact(panel, list, aim.flight.back());
-  const std::string text = (aim.hits ? "hits after " : "flies on after ") + format_quantity(aim.duration, "s", 3) +
+  const std::string text = (aim.hits ? "hits after " : "no hit within ") + format_quantity(aim.duration, "s", 3) +
                            ", " + format_quantity(length_of(aim.flight), "m", 3);
   draw_readout(panel, list, text);
   const ImVec2 mouse = ImGui::GetIO().MousePos;

@@ -4,11 +4,11 @@
 
 namespace griffith::ui {
 
-/// Holding the right button in the view, which was drawn last, aims; letting it go fires, Escape gives up. `cursor`:
-/// place of the mouse in the view.
+/// Aims while the right button is held in the view, which was drawn last. Releasing it fires, Escape cancels. `cursor`:
+/// position of the mouse in the view.
 void aim_shot(Panel& panel, const Vec2& cursor);
 
-/// The arc of the shot that is being aimed, and where it hits.
+/// Draws the predicted path of the aimed shot and its hit.
 void draw_aim(const Panel& panel);
 
 }  // namespace griffith::ui

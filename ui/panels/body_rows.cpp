@@ -13,7 +13,7 @@ void add(BodyRow& row, const BodyView& piece) {
   keep_least(row.broke_scaled, piece.broke_scaled);
 }
 
-/// Compares names: numbers in them count as numbers, so that "brick 2" comes before "brick 10".
+/// Natural order of names: digits compare as numbers, so that "brick 2" precedes "brick 10".
 bool comes_before(std::string_view a, std::string_view b) {
   const auto is_digit = [](unsigned char letter) { return std::isdigit(letter) != 0; };
   while (!a.empty() && !b.empty()) {

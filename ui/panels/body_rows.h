@@ -10,34 +10,34 @@
 
 namespace griffith::ui {
 
-/// What the list of bodies shows of a body of the scene with all its pieces, or of one piece.
+/// Row of the outliner for a body with all its pieces, or for one piece.
 struct BodyRow {
   std::string name;
   int scene_body = 0;
-  BodyId piece;                            ///< invalid: all pieces of the scene's body
-  int elastic = 0, rigid = 0, asleep = 0;  ///< how many pieces are so
+  BodyId piece;                            ///< invalid: all pieces of the body
+  int elastic = 0, rigid = 0, asleep = 0;  ///< number of pieces in each state
   int tets = 0;
   double mass = 0;                           ///< [kg]
-  std::optional<ScaledImpact> broke_scaled;  ///< of the piece that broke at the smallest f
+  std::optional<ScaledImpact> broke_scaled;  ///< scaling of the piece that broke with the smallest stiffness factor
 
   int pieces() const { return elastic + rigid + asleep; }
-  /// "E/256, σ/16" of what broke while it was scaled, else nothing.
+  /// Returns "E/256, σ/16" if material broke while it was scaled, else an empty text.
   std::string mark() const;
-  /// State of its liveliest piece.
+  /// Returns the most active state of its pieces.
   std::string_view state() const { return elastic > 0 ? "elastic" : rigid > 0 ? "rigid" : asleep > 0 ? "asleep" : ""; }
 };
 
-/// One row a body of the scene, in its order; those that have no piece in the frame are empty.
+/// Returns one row for each body of the scene, in order; bodies without a piece in the frame have empty rows.
 std::vector<BodyRow> body_rows(const Scene& scene, const Frame& frame);
-/// One row a piece that has tets.
+/// Returns one row for each piece that has tets.
 std::vector<BodyRow> piece_rows(const Scene& scene, const Frame& frame);
 
-/// What rows are sorted by.
+/// Sort keys of rows.
 enum class BodyColumn { name, state, pieces, tets, mass };
-/// Equal ones keep their order.
+/// Sorts rows; equal rows keep their order.
 void sort_rows(std::vector<BodyRow>& rows, BodyColumn column, bool descending);
 
-/// Whether a text holds a part of it, in any case.
+/// True if a text contains `part`, in any case.
 bool holds_text(std::string_view text, std::string_view part);
 /// Keeps the rows whose name, state or mark holds `text`, in any case.
 void filter_rows(std::vector<BodyRow>& rows, std::string_view text);

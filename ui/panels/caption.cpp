@@ -12,7 +12,7 @@ constexpr ImGuiWindowFlags kCaptionFlags = ImGuiWindowFlags_NoDecoration | ImGui
                                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                                            ImGuiWindowFlags_NoFocusOnAppearing;
 
-/// Frames the widget that the caption is about.
+/// Frames the widget to which the caption refers.
 void mark(const Panel& panel, const WidgetTag& widget) {
   const float scale = ui_scale(panel), gap = 3 * scale;
   ImGui::GetForegroundDrawList()->AddRect({widget.minimum.x - gap, widget.minimum.y - gap},
@@ -20,7 +20,7 @@ void mark(const Panel& panel, const WidgetTag& widget) {
                                           0, 2 * scale);
 }
 
-/// In the middle of the view, low enough to leave what happens there visible; in a low one from its top on.
+/// Places the caption in the middle of the view, low enough to keep the action visible; at the top of a low view.
 void place_caption(const Panel& panel) {
   const EditorState& state = panel.state;
   const float margin = 48 * ui_scale(panel);

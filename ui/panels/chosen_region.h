@@ -8,18 +8,19 @@
 
 namespace griffith::ui {
 
-/// The region of the chosen support, load or probe.
+/// Region of the active support, load or probe.
 struct ChosenRegion {
   SceneEntry entry;
-  int scene_body = 0;  ///< whose nodes it holds
+  int scene_body = 0;  ///< body to which the nodes belong
   Region region;
 };
 
-/// Nothing where none is chosen, or away from the start of the scene's time: a scene says where regions are then.
+/// Returns the active region; empty if there is none or the simulation is not at its start, where scenes define
+/// regions.
 std::optional<ChosenRegion> chosen_region(const Panel& panel);
 
-/// Whether a gesture in the view that began with that entry, in that revision of the scene, has come to nothing:
-/// something else is chosen by now (`now`), the scene has changed, or Escape was pressed.
+/// True if a gesture in the view must end: another entry is active by now (`now`), the scene has changed since
+/// `revision`, or Escape was pressed.
 bool gesture_lost(const Panel& panel, const std::optional<SceneEntry>& now, const SceneEntry& entry,
                   std::int64_t revision);
 

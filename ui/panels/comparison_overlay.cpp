@@ -11,14 +11,14 @@ namespace {
 
 constexpr ImU32 kGhost = IM_COL32(255, 255, 255, 115);
 
-/// The part of the view right of `border`, 0..1 of its width.
+/// Draws the part of the view right of `border`, 0..1 of its width.
 void draw_right_part(const Panel& panel, float border, ImU32 tint) {
   const ImVec2 low = panel.state.viewport_minimum, size = panel.state.viewport_size;
   ImGui::GetWindowDrawList()->AddImage(panel.input.comparison->picture, {low.x + border * size.x, low.y},
                                        {low.x + size.x, low.y + size.y}, {border, 1}, {1, 0}, tint);
 }
 
-/// The border between the pictures: a line with a grip, to be dragged.
+/// Draws the border between the pictures: a line with a grip that can be dragged.
 void drag_border(Panel& panel) {
   EditorState& state = panel.state;
   const ImVec2 low = state.viewport_minimum, size = state.viewport_size;
@@ -44,7 +44,7 @@ void draw_card_text(const Panel& panel, ImVec2 corner, float width, const std::s
   list->AddText(nullptr, 0, corner, palette::kText, text.c_str(), nullptr, width);
 }
 
-/// Which branch is on which side of the border.
+/// Labels the branches on both sides of the border.
 void draw_names(const Panel& panel) {
   const float scale = ui_scale(panel), gap = 16 * scale;
   const ImVec2 low = panel.state.viewport_minimum;
@@ -55,7 +55,7 @@ void draw_names(const Panel& panel) {
   draw_card_text(panel, {x + gap, y}, 0, right);
 }
 
-/// Where the branches differ, above the hints.
+/// Describes the difference of the branches, above the hints.
 void draw_difference(Panel& panel) {
   const std::string& text = panel.input.comparison->text;
   const ImVec2 low = panel.state.viewport_minimum, size = panel.state.viewport_size;

@@ -4,8 +4,8 @@
 
 namespace griffith::ui {
 
-/// Draws the compared branch over the picture in the view: right of a border that can be dragged, or as a ghost; with
-/// the names of both branches, and where they differ.
+/// Draws the compared branch over the picture in the view, right of a border that can be dragged or as a ghost, with
+/// the names of both branches and their difference.
 void draw_comparison(Panel& panel);
 
 }  // namespace griffith::ui

@@ -18,9 +18,9 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFla
                                     ImGuiWindowFlags_NoBringToFrontOnFocus;
 constexpr ImGuiWindowFlags kBar = kFixed | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoScrollbar;
 
-/// Where the fixed windows lie.
+/// Arrangement of the fixed windows.
 struct Layout {
-  ImVec2 corner, end;  ///< of everything below the menu
+  ImVec2 corner, end;  ///< rectangle below the menu
   float toolbar_height, time_height, status_height;
   float top() const { return corner.y + toolbar_height; }
   float bottom() const { return end.y - status_height - time_height; }
@@ -44,7 +44,7 @@ void begin_fixed(const char* name, ImVec2 corner, ImVec2 end, ImGuiWindowFlags f
   ImGui::PopStyleColor();
 }
 
-/// A side panel whose inner border can be dragged; `width` [pixels] and `kept` [design pixels] follow.
+/// Begins a side panel whose inner border can be dragged; updates `width` [pixels] and `kept` [design pixels].
 void begin_side(const Panel& panel, const char* name, const Layout& layout, bool left, float& width, double& kept) {
   const float scale = ui_scale(panel), height = layout.bottom() - layout.top();
   const ImGuiCond once = width == 0 ? ImGuiCond_Always : ImGuiCond_Once;
@@ -56,7 +56,7 @@ void begin_side(const Panel& panel, const char* name, const Layout& layout, bool
   ImGui::Begin(name, nullptr, kFixed);
   width = ImGui::GetWindowWidth();
   const double dragged = std::clamp(static_cast<double>(width / scale), kSideWidths.minimum, kSideWidths.maximum);
-  if (std::abs(dragged - kept) > 1) kept = dragged;  // less comes from whole pixels
+  if (std::abs(dragged - kept) > 1) kept = dragged;  // smaller differences come from whole pixels
 }
 
 void draw_left(Panel& panel, const Layout& layout) {
@@ -71,7 +71,7 @@ void draw_left(Panel& panel, const Layout& layout) {
 void draw_right(Panel& panel, const Layout& layout) {
   begin_side(panel, "##right", layout, false, panel.state.right_width, panel.state.preferences.right_width);
   draw_view_panel(panel);
-  // Rows of numbers stand closer than widgets.
+  // Rows of numbers are more compact than widgets.
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 3 * ui_scale(panel)});
   draw_inspector_panel(panel);
   draw_statistics_panel(panel);
@@ -98,11 +98,11 @@ void draw_bars(Panel& panel, const Layout& layout) {
 struct Dock {
   const char* window;
   float first_height;  ///< [design pixels]
-  float first_part;    ///< of the height that is there, where that is more
+  float first_part;    ///< fraction of the available height, if that is more
   void (*draw)(Panel& panel);
 };
 
-/// Draws the panel, whose upper border can be dragged, above the `covered` pixels that others take. Returns its height.
+/// Draws the panel, whose upper border can be dragged, above the `covered` pixels of others. Returns its height.
 float draw_dock(Panel& panel, const Layout& layout, const Dock& dock, float& height, float covered) {
   const float scale = ui_scale(panel), left = layout.corner.x + panel.state.left_width;
   const float width = layout.end.x - panel.state.right_width - left;
@@ -119,7 +119,7 @@ float draw_dock(Panel& panel, const Layout& layout, const Dock& dock, float& hei
   return height;
 }
 
-/// Plots, messages and problems, below the view. Returns the height of all.
+/// Draws plots, messages and problems below the view. Returns their total height.
 float draw_docks(Panel& panel, const Layout& layout) {
   PlotsState& plots = panel.state.plots;
   LogView& log = panel.state.log_view;

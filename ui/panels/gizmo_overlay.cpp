@@ -22,7 +22,7 @@ constexpr float kArrowLength = 96, kReach = 7;  // design pixels
 constexpr std::array<ImU32, 3> kAxisColors = {IM_COL32(240, 84, 84, 255), IM_COL32(120, 200, 90, 255),
                                               IM_COL32(84, 150, 250, 255)};
 
-/// What the gizmo is of, where an edit of its place would take effect at once; else nothing.
+/// Returns the entry with the gizmo, if an edit of its placement takes effect at once; else empty.
 std::optional<SceneEntry> target_of(const Panel& panel) {
   if (!panel.state.show_gizmo || panel.input.frame.step != 0) return std::nullopt;
   const Scene& scene = panel.history.scene();
@@ -41,7 +41,7 @@ std::vector<HandleShape> shapes_of(const Panel& panel, const SceneEntry& entry) 
   return shapes;
 }
 
-/// Round what the frame has of a body, in the body's rest space; empty for another entry.
+/// Returns the bounding box of a body in its rest space; empty for another entry.
 Eigen::AlignedBox3d rest_box(const Panel& panel, const SceneEntry& entry) {
   Eigen::AlignedBox3d box;
   if (entry.kind != EntryKind::body) return box;
@@ -72,7 +72,7 @@ void keep_in_range(Vec3& position) {
   position = position.cwiseMax(range.minimum).cwiseMin(range.maximum);
 }
 
-/// What moves with the entry that is dragged: all that is chosen, but for what goes with a chosen body anyway.
+/// Returns the entries that move with the dragged one: all chosen ones except parts of a chosen body.
 std::vector<SceneEntry> moved_with(const Panel& panel, const SceneEntry& entry) {
   const Scene& scene = panel.history.scene();
   std::vector<SceneEntry> moved = chosen_entries(panel.state, scene);
@@ -86,14 +86,14 @@ std::vector<SceneEntry> moved_with(const Panel& panel, const SceneEntry& entry) 
   return moved;
 }
 
-/// One entry of the history, if anything moved.
+/// Ends the drag. Makes one entry of the history if anything moved.
 void let_go(Panel& panel, const GizmoDrag& drag) {
   if (drag.cancelled || drag.placement == drag.start) return;
   const bool turns = drag.handle.kind == GizmoHandle::Kind::ring;
   const std::vector<SceneEntry> others = turns ? std::vector<SceneEntry>() : moved_with(panel, drag.entry);
   const std::string name = full_name(panel.history.scene(), drag.entry);
   const std::string more = others.empty() ? "" : " and " + std::to_string(others.size()) + " more";
-  panel.history.change((turns ? "Turn " : "Move ") + name + more, [&](Scene& scene) {
+  panel.history.change((turns ? "Rotate " : "Move ") + name + more, [&](Scene& scene) {
     for (const SceneEntry& other : others) {
       Placement from = *placement_of(scene, other), to = from;
       to.position += drag.placement.position - drag.start.position;
@@ -105,7 +105,7 @@ void let_go(Panel& panel, const GizmoDrag& drag) {
   panel.history.finish();
 }
 
-void go_on(Panel& panel, GizmoDrag& drag) {
+void continue_drag(Panel& panel, GizmoDrag& drag) {
   if (gesture_lost(panel, target_of(panel), drag.entry, drag.revision)) drag.cancelled = true;
   if (!drag.cancelled) {
     follow_ray(drag, view_camera(panel).ray(pixel_of(panel, ImGui::GetIO().MousePos)),
@@ -117,7 +117,7 @@ void go_on(Panel& panel, GizmoDrag& drag) {
   panel.state.gizmo_drag.reset();
 }
 
-/// What the mouse points at.
+/// Returns the handle under the mouse.
 const HandleShape* pointed_at(const Panel& panel, const std::vector<HandleShape>& shapes, ImVec2 mouse) {
   return shape_at(shapes, pixel_of(panel, mouse), kReach * ui_scale(panel));
 }
@@ -166,7 +166,7 @@ void tag_shape(Panel& panel, const HandleShape& shape, std::string text) {
                         std::move(text)});
 }
 
-/// What would be there if it were let go now: the box round the body, or the region.
+/// Draws the dragged box or region as it would be released.
 void draw_outline(const Panel& panel, ImDrawList* list, const GizmoDrag& drag) {
   if (!drag.box.isEmpty()) {
     const Pose pose{drag.placement.position, rotation_of(drag.placement.rotation_degrees)};
@@ -192,7 +192,7 @@ bool drag_gizmo(Panel& panel) {
       grab(panel, *entry, shape->handle, view_camera(panel).ray(pixel_of(panel, mouse)));
   }
   if (!drag) return false;
-  go_on(panel, *drag);
+  continue_drag(panel, *drag);
   return true;
 }
 

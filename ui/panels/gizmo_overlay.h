@@ -4,12 +4,12 @@
 
 namespace griffith::ui {
 
-/// Lets the mouse move and turn what is chosen, where the state shows the gizmo and the world stands at its start: with
-/// an arrow or plane all that is chosen moves, a ring turns the last of it.
-/// To be called behind the item that the picture fills. Whether the mouse is the gizmo's: it means nothing else then.
+/// Lets the mouse move and rotate the chosen entries if the gizmo is shown and the simulation is at its start. An arrow
+/// or plane moves all of them, a ring rotates the active one. Call it after the item that the picture fills. True if
+/// the gizmo takes the mouse.
 bool drag_gizmo(Panel& panel);
 
-/// Draws it over the picture.
+/// Draws the gizmo over the picture.
 void draw_gizmo(Panel& panel);
 
 }  // namespace griffith::ui

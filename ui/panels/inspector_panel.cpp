@@ -14,9 +14,9 @@
 namespace griffith::ui {
 namespace {
 
-constexpr std::size_t kMaxElements = 8, kMaxEvents = 4;  // listed
+constexpr std::size_t kMaxElements = 8, kMaxEvents = 4;  // most rows of each list
 
-/// Three values with the prefix of the largest: "3.02, -1.85, -12.7 kPa".
+/// Formats three values with the prefix of the largest: "3.02, -1.85, -12.7 kPa".
 std::string triple(const Vec3& values, const char* unit) {
   const double largest = values.cwiseAbs().maxCoeff();
   const SiPrefix prefix = si_prefix(largest, unit);
@@ -37,41 +37,41 @@ void verdict_line(const Panel& panel, const Verdict& verdict) {
   tag_last_item(panel.tags, "inspector/verdict", verdict.text);
 }
 
-/// What was decided on.
+/// Shows load, resistance and utilization.
 void utilization_rows(const Panel& panel, const NodeReport& report, const Material& material) {
   const NodeSeparation& separation = report.separation;
   const char* unit = load_unit(material);
   value_row(panel, "Load", format_quantity(load_of(separation, material), unit), palette::kText);
-  tooltip("What its utilization was taken of: the mean over the last substeps, so that no passing peak breaks it.");
+  tooltip("Mean over the last substeps, from which the utilization is computed: a short peak breaks nothing.");
   value_row(panel, "Resistance", resistance_text(separation, material), palette::kText);
   value_row(panel, "Utilization", format_quantity(separation.utilization, "", 3),
             separation.utilization > 0.8 ? palette::kWarning : palette::kText);
 }
 
-/// The separation tensor, which weighs elements against each other: of one alone, none is left.
+/// Shows the separation tensor, which compares elements with each other: that of a single element is zero.
 void tensor_rows(const Panel& panel, const NodeReport& report) {
   if (report.elements.size() == 1 && report.principal.values.isZero(0)) {
     value_row(panel, "Eigenvalues", "none: one element", palette::kTextDim);
     tooltip(
-        "The separation tensor weighs the elements of a node against each other. Here is one alone, whose own "
-        "tensile stress is the load.");
+        "The separation tensor compares the elements of a node. This node has only one, whose tensile stress is the "
+        "load.");
     return;
   }
   value_row(panel, "Eigenvalues", triple(Vec3(report.principal.values.reverse()), "N"), palette::kText);
-  tooltip("Of the separation tensor, largest first: what pulls the node apart along its three axes.");
+  tooltip("Eigenvalues of the separation tensor, largest first: the separating forces along its three axes.");
   value_row(panel, "Top eigenvector", direction_text(report.principal.directions.col(2)), palette::kText);
 }
 
-/// What there is at the time of the frame, all from its own stresses.
+/// Shows the load at the time of the frame, from its own stresses.
 void load_rows(const Panel& panel, const NodeReport& report, const Material& material) {
   value_row(panel, "Load now", format_quantity(report.load, load_unit(material)), palette::kText);
   hint(panel, origin_of_load(report, material));
   tag_last_item(panel.tags, "inspector/origin", origin_of_load(report, material));
-  value_row(panel, "Normal of the plane", direction_text(report.normal()), palette::kText);
+  value_row(panel, "Plane normal", direction_text(report.normal()), palette::kText);
   tensor_rows(panel, report);
 }
 
-/// One ranked element; a click selects it.
+/// Draws one ranked element; a click selects it.
 void element_row(Panel& panel, const ElementContribution& element, const char* unit, std::size_t rank) {
   char text[96];
   std::snprintf(text, sizeof text, "%zu   element %d, %s", rank + 1, element.tet.index(),
@@ -91,7 +91,7 @@ void element_row(Panel& panel, const ElementContribution& element, const char* u
 
 void contribution_rows(Panel& panel, const NodeReport& report) {
   const char* unit = contribution_unit(report);
-  hint(panel, "What each element adds to it, by rank:");
+  hint(panel, "Contributions of the elements, largest first:");
   const std::size_t listed = std::min(report.elements.size(), kMaxElements);
   for (std::size_t i = 0; i < listed; ++i) element_row(panel, report.elements[i], unit, i);
   double others = 0;
@@ -100,12 +100,12 @@ void contribution_rows(Panel& panel, const NodeReport& report) {
     value_row(panel, (std::to_string(report.elements.size() - listed) + " more elements").c_str(),
               format_quantity(others, unit, 3), palette::kText);
   if (report.balance != 0) {
-    value_row(panel, "Balance of all forces", format_quantity(report.balance, "N", 3), palette::kText);
+    value_row(panel, "Unbalanced force", format_quantity(report.balance, "N", 3), palette::kText);
     tooltip(
-        "What the sums of the tensile and compressive forces take away from it: forces that balance each other across "
-        "the node pull it apart, a force that is not balanced accelerates it.");
+        "Contribution of the sums of the tensile and compressive forces, which is subtracted: balanced forces pull the "
+        "node apart, an unbalanced one accelerates it.");
   }
-  value_row(panel, "Together", format_quantity(report.sum(), unit, 3), palette::kText);
+  value_row(panel, "Total", format_quantity(report.sum(), unit, 3), palette::kText);
 }
 
 void event_rows(const Panel& panel, const NodeReport& report) {
@@ -117,7 +117,7 @@ void event_rows(const Panel& panel, const NodeReport& report) {
                              ", utilization " + format_quantity(event.load / event.resistance, "", 3);
     value_row(panel, "Crack", text, palette::kAccent);
     tooltip("Plane " + direction_text(event.normal) + ", " + std::to_string(event.elements.size()) + " elements, " +
-            std::to_string(event.nodes_made) + " nodes made");
+            std::to_string(event.nodes_made) + " nodes created");
   }
 }
 
@@ -128,7 +128,7 @@ void element_rows(const Panel& panel, TetId tet) {
   value_row(panel, "Element", std::to_string(tet.index()), palette::kText);
   value_row(panel, "Von Mises stress", format_quantity(von_mises_stress(stress), "Pa"), palette::kText);
   value_row(panel, "Principal stresses", triple(principal_stresses(stress), "Pa"), palette::kText);
-  if (body.rigid) hint(panel, "as they were when the piece became rigid");
+  if (body.rigid) hint(panel, "frozen when the piece became rigid");
   value_row(panel, "Piece", std::to_string(body.id.index()) + ", " + format_quantity(body.mass, "kg", 3),
             palette::kText);
   value_row(panel, "Its elements", std::to_string(body.tets), palette::kText);
@@ -141,7 +141,7 @@ void element_rows(const Panel& panel, TetId tet) {
 }  // namespace
 
 void draw_inspector_panel(Panel& panel) {
-  heading(panel, "Why it broke, or holds");
+  heading(panel, "Why it broke or holds");
   const Frame& frame = panel.input.frame;
   const Selection& selection = panel.state.selection;
   if (!selection.valid() || static_cast<std::size_t>(selection.node) >= frame.nodes.positions.size()) {

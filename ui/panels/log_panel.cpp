@@ -22,7 +22,7 @@ void copy_lines(std::span<const LogLine* const> lines) {
   ImGui::SetClipboardText(text.c_str());
 }
 
-/// Levels with their numbers of lines, the filter, and what can be done with the lines.
+/// Draws the levels with their numbers of lines, the filter, and the buttons for lines.
 void log_bar(Panel& panel, std::span<const LogLine* const> lines) {
   LogView& view = panel.state.log_view;
   std::vector<LogLine>& log = panel.state.log;
@@ -42,11 +42,11 @@ void log_bar(Panel& panel, std::span<const LogLine* const> lines) {
   if (text_button(panel, "log/close", "Close")) view.shown = false;
   ImGui::SameLine();
   ImGui::SetNextItemWidth(-FLT_MIN);
-  ImGui::InputTextWithHint("##filter", "lines with this text", view.filter.data(), view.filter.size());
+  ImGui::InputTextWithHint("##filter", "text of lines", view.filter.data(), view.filter.size());
   tag_last_item(panel.tags, "log/filter", view.filter.data());
 }
 
-/// Follows the newest line until the reader scrolls up.
+/// Draws the lines; follows the newest one until the user scrolls up.
 void log_lines(Panel& panel, std::span<const LogLine* const> lines) {
   ImGui::BeginChild("##lines");
   for (const LogLine* line : lines) {

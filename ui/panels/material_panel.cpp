@@ -22,7 +22,7 @@ void keep(Panel& panel, const Edit& edit, const std::string& label, const Materi
   if (edit.finished) panel.history.finish();
 }
 
-/// What a material of that name is: one of the scene's own, or else a preset. Null where there is none.
+/// Returns the material of that name: one of the scene's own, else a preset. Null if there is none.
 const Material* original_of(const Scene& scene, const Material& material) {
   if (const auto own = std::ranges::find(scene.materials, material.name, &Material::name); own != scene.materials.end())
     return &*own;
@@ -33,10 +33,10 @@ const Material* original_of(const Scene& scene, const Material& material) {
 
 /// A property of the material.
 struct Row {
-  const char* name;  ///< in a scene file
+  const char* name;  ///< key in scene files
   const char* label;
   const char* tooltip = "";
-  double usual = 0;  ///< magnitude in usual materials, of what may be 0 and is no ratio
+  double usual = 0;  ///< magnitude in usual materials, for properties that may be 0 and are no ratio
 };
 
 void number_row(Panel& panel, Material& material, const Row& row, double& value,
@@ -56,20 +56,20 @@ void number_row(Panel& panel, Material& material, const Row& row, double Materia
   number_row(panel, material, row, material.*member, original ? std::optional(original->*member) : std::nullopt);
 }
 
-/// "brick", or "brick (edited)" where it is no more what has that name.
+/// Returns the preset's name: "brick", or "brick (edited)" if its values differ.
 std::string preset_text(const Scene& scene, const Material& material) {
   const Material* original = original_of(scene, material);
   return material.name + (original && *original != material ? " (edited)" : "");
 }
 
-/// Where a preset's numbers come from.
+/// Returns the source of a preset's numbers.
 std::string source_text(const Material& material) {
   for (const MaterialPreset& preset : material_presets())
-    if (preset.material.name == material.name) return "Numbers of the preset: " + std::string(preset.source);
+    if (preset.material.name == material.name) return "Values of the preset: " + std::string(preset.source);
   return "";
 }
 
-/// Presets and the scene's own materials.
+/// Draws the list of presets and the scene's own materials.
 void preset_row(Panel& panel, Material& material) {
   const Scene& scene = panel.history.scene();
   std::vector<Material> offered = scene.materials;
@@ -85,18 +85,18 @@ void preset_row(Panel& panel, Material& material) {
   keep(panel, {true, true}, "Set material " + material.name, material);
 }
 
-/// Makes the body's material one of the scene's own under that name, in place of what had it.
+/// Saves the body's material as one of the scene's own under that name, replacing an earlier one.
 void keep_as(Panel& panel, Material material, const std::string& name) {
   const auto has_name = [&](const MaterialPreset& preset) {
     return preset.key == name || preset.material.name == name;
   };
   if (std::ranges::any_of(material_presets(), has_name)) {
-    panel.state.field_note = {"material/keep_as", "\"" + name + "\" is a preset: choose another name."};
+    panel.state.field_note = {"material/keep_as", "\"" + name + "\" is a built-in preset; choose another name."};
     return;
   }
   material.name = name;
   const auto body = static_cast<std::size_t>(panel.state.selected_body);
-  panel.history.change("Keep material " + name, [&](Scene& scene) {
+  panel.history.change("Save material " + name, [&](Scene& scene) {
     scene.bodies[body].material = material;
     const auto own = std::ranges::find(scene.materials, name, &Material::name);
     if (own == scene.materials.end()) {
@@ -108,16 +108,16 @@ void keep_as(Panel& panel, Material material, const std::string& name) {
   panel.history.finish();
 }
 
-/// Materials of the scene's own: a name keeps the body's one, which other bodies may have then too.
+/// Draws the scene's own materials: under a name, other bodies can use the material too.
 void library_rows(Panel& panel, const Material& material) {
   const Scene& scene = panel.history.scene();
   std::array<char, 64> name = {};
-  row_label(panel, "Keep as");
-  const bool entered = ImGui::InputTextWithHint("##material/keep_as", "a name, then Enter", name.data(), name.size(),
+  row_label(panel, "Save as");
+  const bool entered = ImGui::InputTextWithHint("##material/keep_as", "name, then Enter", name.data(), name.size(),
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
   tag_last_item(panel.tags, "material/keep_as", "");
   field_tooltip(panel, "material/keep_as",
-                "The scene keeps this material under the name, for its other bodies too; it is saved with the scene.");
+                "Saves the material in the scene under this name, for its other bodies too.");
   if (entered && name[0] != 0) keep_as(panel, material, name.data());
   if (std::ranges::find(scene.materials, material.name, &Material::name) == scene.materials.end()) return;
   if (!text_button(panel, "material/forget", ("Delete preset " + material.name).c_str())) return;
@@ -152,7 +152,7 @@ void fracture_rows(Panel& panel, Material& material) {
              &Material::tensile_strength);
   number_row(panel, material,
              {"fracture_toughness", "Toughness K_Ic",
-              "Lowers the resistance at the front of a crack: small values let a crack, once started, run."},
+              "Lowers the resistance at a crack front: with small values, a crack runs once it has started."},
              &Material::fracture_toughness);
 }
 
@@ -181,13 +181,14 @@ void yield_rows(Panel& panel, Material& material) {
 void damping_rows(Panel& panel, Material& material) {
   number_row(panel, material, {"friction", "Friction"}, &Material::friction);
   number_row(panel, material, {"restitution", "Restitution"}, &Material::restitution);
-  number_row(panel, material, {"stiffness_damping", "Damping β", "Rayleigh's β: damps fast vibrations.", 1e-4},
+  number_row(panel, material,
+             {"stiffness_damping", "Damping β", "Rayleigh coefficient β: damps fast vibrations.", 1e-4},
              &Material::stiffness_damping);
-  number_row(panel, material, {"mass_damping", "Damping α", "Rayleigh's α: damps all motion."},
+  number_row(panel, material, {"mass_damping", "Damping α", "Rayleigh coefficient α: damps all motion."},
              &Material::mass_damping);
 }
 
-/// That what the sliders say is not what broke.
+/// Warns that the shown values are not those that broke.
 void scaled_row(Panel& panel) {
   for (const ScaledBreak& broken : scaled_breaks(panel.input.frame)) {
     if (broken.scene_body != panel.state.selected_body) continue;
@@ -214,13 +215,13 @@ void draw_material_panel(Panel& panel) {
       &Material::young_modulus);
   number_row(panel, material,
              {"poisson_ratio", "Poisson ratio",
-              "ν: sideways contraction over extension. 0.5 would be incompressible and is out of reach."},
+              "ν: lateral contraction over extension; below 0.5, the limit of incompressible materials."},
              &Material::poisson_ratio);
   number_row(panel, material, {"density", "Density", "ρ"}, &Material::density);
   fracture_rows(panel, material);
   element_model_row(panel, material);
   yield_rows(panel, material);
-  open_if_wanted(panel, "material/contact");
+  open_if_sought(panel, "material/contact");
   if (ImGui::TreeNodeEx("Contact and damping", ImGuiTreeNodeFlags_SpanAvailWidth)) {
     damping_rows(panel, material);
     ImGui::TreePop();

@@ -8,7 +8,7 @@
 namespace griffith::ui {
 namespace {
 
-/// A submenu that opens one of the scenes that were opened last.
+/// Draws the submenu of recent scenes.
 void recent_menu(Panel& panel) {
   const std::span<const std::filesystem::path> files = panel.input.recent_files;
   const bool open = ImGui::BeginMenu("Recent", !files.empty());
@@ -24,7 +24,7 @@ void recent_menu(Panel& panel) {
   ImGui::EndMenu();
 }
 
-/// A submenu that plays a macro.
+/// Draws the submenu of macros.
 void macro_menu(Panel& panel) {
   const bool open = ImGui::BeginMenu("Play macro", !panel.input.macros.empty());
   tag_last_item(panel.tags, "menu/Play macro", open ? "open" : "closed", !panel.input.macros.empty());
@@ -37,7 +37,7 @@ void macro_menu(Panel& panel) {
   ImGui::EndMenu();
 }
 
-/// The commands of the menu in their order, a line between groups.
+/// Draws the commands of the menu in order, with separators between groups.
 void command_items(Panel& panel, Menu menu) {
   int group = 0;
   for (const CommandInfo& info : command_registry()) {

@@ -14,7 +14,7 @@ namespace {
 
 float line_height() { return ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y; }
 
-/// Rows before the list scrolls: a quarter of the window.
+/// Returns the number of rows before the list scrolls: a quarter of the window.
 std::size_t max_shown() {
   constexpr std::size_t kAtLeast = 10;
   return std::max(kAtLeast, static_cast<std::size_t>(0.25f * ImGui::GetIO().DisplaySize.y / line_height()));
@@ -36,12 +36,12 @@ struct NumberColumn {
 
 constexpr std::array<NumberColumn, 4> kNumberColumns = {{
     {"State", 40, [](const BodyRow& row) { return std::string(row.state()); }},
-    {"Pcs", 26, [](const BodyRow& row) { return std::to_string(row.pieces()); }},
+    {"Pieces", 26, [](const BodyRow& row) { return std::to_string(row.pieces()); }},
     {"Tets", 34, [](const BodyRow& row) { return std::to_string(row.tets); }},
     {"Mass", 46, [](const BodyRow& row) { return mass_text(row.mass); }},
 }};
 
-/// How wide the widest of these texts is, of the first thousand rows.
+/// Returns the width of the widest of these texts, in the first thousand rows.
 template <class Text>
 float widest(const std::vector<BodyRow>& rows, Text text) {
   constexpr std::size_t kMaxMeasured = 1000;
@@ -51,7 +51,7 @@ float widest(const std::vector<BodyRow>& rows, Text text) {
   return width;
 }
 
-/// Names first: where there is no room for all columns, those at the end are left out.
+/// Begins the columns, names first: columns at the end are left out if there is no room for all.
 void begin_columns(const Panel& panel, const std::vector<BodyRow>& rows) {
   const float scale = ui_scale(panel), line = ImGui::GetTextLineHeight(), arrow = ImGui::GetFontSize();
   const float gap = 2 * ImGui::GetStyle().CellPadding.x;
@@ -85,7 +85,7 @@ void scroll_to(Rows::difference_type row, float line) {
   if (top < ImGui::GetScrollY() || top + line > ImGui::GetScrollY() + room) ImGui::SetScrollY(top - room / 2);
 }
 
-/// Scrolls to the active entry where it was chosen elsewhere: in the view, by an edit, to be renamed.
+/// Scrolls to the active entry if it was chosen elsewhere: in the view, by an edit, to be renamed.
 void follow_active(Panel& panel, const Rows& rows, float line) {
   const std::optional<SceneEntry> active = active_entry(panel.state, panel.history.scene());
   if (std::exchange(panel.state.listed_entry, active) == active || panel.state.list_pieces) return;
@@ -93,7 +93,7 @@ void follow_active(Panel& panel, const Rows& rows, float line) {
   if (row != rows.end()) scroll_to(row - rows.begin(), line);
 }
 
-/// The row from which the arrow keys go on: the active one, or the other end of what Shift has chosen.
+/// Returns the row from which the arrow keys move: the active one, or the other end of a range chosen with Shift.
 Rows::const_iterator row_of_keys(const Panel& panel, const Rows& rows) {
   if (panel.state.list_pieces)
     return std::ranges::find_if(rows, [&](const OutlinerRow& row) { return is_chosen(panel, row); });
@@ -102,7 +102,7 @@ Rows::const_iterator row_of_keys(const Panel& panel, const Rows& rows) {
   return std::ranges::find(rows, ImGui::GetIO().KeyShift ? chosen.front() : chosen.back(), &OutlinerRow::entry);
 }
 
-/// Up and Down choose the row beside, with Shift all the way to it, while the list has the focus.
+/// Moves the choice with Up and Down, extends it with Shift, while the list has the focus.
 void choose_by_keys(Panel& panel, const Rows& rows, float line) {
   const int direction = ImGui::IsKeyPressed(key::kDown) - ImGui::IsKeyPressed(key::kUp);
   const ImGuiIO& io = ImGui::GetIO();
@@ -134,7 +134,7 @@ void draw_table(Panel& panel, std::vector<BodyRow> bodies, std::size_t lines) {
 
 void add_button(Panel& panel, float width) {
   if (text_button(panel, "outliner/add", "Add", width)) ImGui::OpenPopup("##add");
-  tooltip("Adds a body, or a support, load or probe of the selected one, a projectile or a camera.");
+  tooltip("Add a body, a support, load or probe of the selected body, a projectile or a camera.");
   if (!ImGui::BeginPopup("##add")) return;
   close_on_escape();
   for (const CommandInfo& info : command_registry())
@@ -142,10 +142,10 @@ void add_button(Panel& panel, float width) {
   ImGui::EndPopup();
 }
 
-/// What the list is of, and which of them are shown.
+/// Draws the choice between bodies and pieces, and the filter.
 void filter_row(Panel& panel) {
   checkbox(panel, "bodies/pieces", "Pieces", panel.state.list_pieces);
-  tooltip("Lists each piece by itself. A click on one selects it in the view.");
+  tooltip("List each piece separately. Click one to select it in the view.");
   ImGui::SameLine();
   const float button = 48 * ui_scale(panel);
   ImGui::SetNextItemWidth(-button - ImGui::GetStyle().ItemSpacing.x);
@@ -153,8 +153,8 @@ void filter_row(Panel& panel) {
   ImGui::InputTextWithHint("##filter", "name or state", text.data(), text.size());
   tag_last_item(panel.tags, "bodies/filter", text.data());
   tooltip(
-      "Lists what has this in its name or is so: elastic, rigid or asleep; E/ where it broke scaled; fixed, pressure, "
-      "...");
+      "Filter by name, state (elastic, rigid, asleep) or kind (fixed, pressure, ...); E/ finds bodies that broke "
+      "scaled");
   ImGui::SameLine();
   add_button(panel, button);
 }
@@ -169,12 +169,12 @@ void draw_outliner_panel(Panel& panel) {
   const std::size_t entries = scene_entries(scene).size();
   if (entries == 0)
     return hint(panel,
-                "The scene is empty. Add makes a body; File > Open opens a scene, and so does dropping its file here.");
+                "The scene is empty. Add a body, or open a scene with File > Open or by dropping its file here.");
   const bool pieces = panel.state.list_pieces;
   ImGui::PushFont(panel.input.fonts.small);
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {3 * ui_scale(panel), 2 * ui_scale(panel)});
   ImGui::PushStyleColor(ImGuiCol_Header, palette::kFieldActive);
-  // What breaks and what the filter hides moves nothing below the list.
+  // Fracture and the filter must not move anything below the list.
   const std::size_t lines = pieces ? max_shown() : std::min(entries, max_shown());
   draw_table(panel, pieces ? piece_rows(scene, frame) : body_rows(scene, frame), lines);
   ImGui::PopStyleColor();

@@ -35,7 +35,7 @@ void choose_row(Panel& panel, const std::vector<OutlinerRow>& rows, const Outlin
   if (row.body.piece.valid()) return choose_piece(panel, row);
   if (ImGui::GetIO().KeyCtrl) return toggle_entry(panel.state, scene, row.entry);
   if (!ImGui::GetIO().KeyShift) {
-    // Two quick clicks on rows of which the second took the place of the first are no double click.
+    // Two quick clicks are no double click if a second row took the place of the first.
     const bool again = chosen_entries(panel.state, scene) == std::vector{row.entry};
     choose_entries(panel.state, scene, {row.entry});
     if (again && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) begin_renaming(panel, row.entry);
@@ -65,11 +65,11 @@ void row_tooltip(const OutlinerRow& row) {
       row.name + ": " + std::to_string(row.body.tets) + " tetrahedra, " + mass_text(row.body.mass) + "; " +
       std::to_string(row.body.elastic) + " elastic, " + std::to_string(row.body.rigid) + " rigid, " +
       std::to_string(row.body.asleep) +
-      " asleep.\nRigid: moves as a whole until something strikes it; asleep: lies still and costs nothing." +
+      " asleep.\nRigid: moves as a whole until an impact; asleep: at rest and not computed." +
       (row.body.broke_scaled ? "\nBroke at " + row.body.mark() + ". " + stand_in_text(*row.body.broke_scaled) : ""));
 }
 
-/// What can be done with the chosen entries, on a right click.
+/// Draws the context menu of the chosen entries.
 void context_menu(Panel& panel, const OutlinerRow& row) {
   if (!ImGui::BeginPopupContextItem(nullptr)) return;
   if (ImGui::IsWindowAppearing() && !is_chosen(panel, row))
@@ -95,7 +95,7 @@ void context_menu(Panel& panel, const OutlinerRow& row) {
   ImGui::EndPopup();
 }
 
-/// The box in which the entry's name is typed; Enter takes it, Escape leaves it.
+/// Draws the box in which the entry's name is typed; Enter accepts it, Escape cancels.
 void name_box(Panel& panel, const OutlinerRow& row) {
   EditorState& state = panel.state;
   const std::string tag = row.tag + "/name";
@@ -107,7 +107,7 @@ void name_box(Panel& panel, const OutlinerRow& row) {
   const bool left = ImGui::IsItemDeactivated();
   ImGui::PopStyleVar();
   tag_last_item(panel.tags, tag, state.new_name);
-  field_tooltip(panel, tag, "Enter takes the name, Escape leaves it as it was.");
+  field_tooltip(panel, tag, "Enter: rename, Escape: cancel.");
   if (!entered && !left) return;
   state.renamed.reset();
   if (ImGui::IsKeyPressed(key::kEscape, false)) return;
@@ -126,7 +126,7 @@ Icon icon_of(EntryKind kind) {
   return kIcons[static_cast<std::size_t>(kind)];
 }
 
-/// Icon and name on the last item, which spans all columns; the note of what is no body behind them.
+/// Draws icon and name on the last item, which spans all columns, and the note of an entry that is no body.
 void draw_name(const Panel& panel, const OutlinerRow& row, float width, bool hidden) {
   const float scale = ui_scale(panel), line = ImGui::GetTextLineHeight();
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
@@ -151,7 +151,8 @@ void text_cell(ImU32 color, const std::string& text) {
   ImGui::TextColored(as_vec4(color), "%s", text.c_str());
 }
 
-/// An icon in the last column that acts on the row's entry. Whether it was clicked; then the entry is the chosen one.
+/// Draws an icon in the last column that acts on the row's entry. True if it was clicked; then the entry is the active
+/// one.
 bool icon_cell(Panel& panel, const OutlinerRow& row, Icon icon, const std::string& tag, const std::string& value) {
   constexpr int kLastColumn = 5;
   ImGui::TableSetColumnIndex(kLastColumn);
@@ -165,17 +166,17 @@ bool icon_cell(Panel& panel, const OutlinerRow& row, Icon icon, const std::strin
   return clicked;
 }
 
-/// The eye of a body: drawn or not.
+/// Draws the eye icon of a body: shown or hidden.
 void eye_cell(Panel& panel, const OutlinerRow& row, bool hidden) {
   const Icon icon = hidden ? Icon::closed_eye : Icon::eye;
   if (icon_cell(panel, row, icon, row.tag + "/eye", hidden ? "hidden" : "shown"))
     issue(panel, {.id = CommandId::toggle_hidden});
-  tooltip(hidden ? "Hidden: a click draws it again." : "Drawn: a click hides it; it is simulated all the same.");
+  tooltip(hidden ? "Hidden. Click to show it." : "Shown. Click to hide it; it is still simulated.");
 }
 
 void camera_cell(Panel& panel, const OutlinerRow& row) {
   if (icon_cell(panel, row, Icon::frame, row.tag + "/look", "")) issue(panel, {.id = CommandId::look_through});
-  tooltip("A click looks through this camera.");
+  tooltip("Look through this camera.");
 }
 
 void body_cells(Panel& panel, const OutlinerRow& row, bool hidden) {
@@ -188,7 +189,7 @@ void body_cells(Panel& panel, const OutlinerRow& row, bool hidden) {
   if (!row.body.piece.valid()) eye_cell(panel, row, hidden);
 }
 
-/// A bar at the left end of a chosen row, brightest in the active one.
+/// Draws a bar at the left end of a chosen row, brightest in the active one.
 void mark_chosen(const Panel& panel, const OutlinerRow& row) {
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const bool active = row.body.piece.valid() || active_entry(panel.state, panel.history.scene()) == row.entry;

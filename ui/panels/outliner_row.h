@@ -8,15 +8,15 @@
 
 namespace griffith::ui {
 
-/// Draws a row of the outliner's table, its cells in the order of BodyColumn and then the eye. `rows`: all that are
-/// listed, over which Shift chooses.
+/// Draws a row of the outliner's table, its cells in the order of BodyColumn and then the eye. `rows`: all listed rows,
+/// for choosing ranges with Shift.
 void draw_outliner_row(Panel& panel, const std::vector<OutlinerRow>& rows, const OutlinerRow& row);
 
-/// Chooses a row as a click on it does: with Ctrl besides the others, with Shift all from the active one.
+/// Chooses a row as a click does: Ctrl toggles it, Shift chooses the range from the active one.
 void choose_row(Panel& panel, const std::vector<OutlinerRow>& rows, const OutlinerRow& row);
 bool is_chosen(const Panel& panel, const OutlinerRow& row);
 
-/// "17.1 t".
+/// Formats a mass: "17.1 t".
 std::string mass_text(double mass);
 
 }  // namespace griffith::ui

@@ -41,14 +41,15 @@ OutlinerRow row_of(const Scene& scene, const SceneEntry& entry) {
   return {entry, tag_of(entry), entry_name(scene, entry), note, {}};
 }
 
-/// Numbers that stand for names are not searched.
+/// True if the row matches. Numbers that stand for names are not searched.
 bool matches(const OutlinerRow& row, std::string_view filter) {
   const std::string_view name = row.name;
   return holds_text(has_name(row.entry.kind) ? name : name.substr(0, name.rfind(' ')), filter) ||
          holds_text(row.note, filter) || holds_text(row.body.state(), filter) || holds_text(row.body.mark(), filter);
 }
 
-/// The body's row and those of its supports and loads: all where it matches, else those that do, below it.
+/// Returns the body's row and those of its supports and loads: all if the body matches, else the body with the matching
+/// ones.
 std::vector<OutlinerRow> rows_of_body(const Scene& scene, const BodyRow& body, std::span<const SceneEntry> parts,
                                       std::string_view filter) {
   std::vector<OutlinerRow> rows = {row_of(scene, {EntryKind::body, body.scene_body})};

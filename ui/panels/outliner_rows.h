@@ -9,19 +9,19 @@
 
 namespace griffith::ui {
 
-/// What the outliner shows of a part of the scene, or of a piece of a body.
+/// Row of the outliner for a part of the scene or a piece of a body.
 struct OutlinerRow {
   SceneEntry entry;
   std::string tag;   ///< "bodies/0", "bodies/0/supports/1"
   std::string name;  ///< "wall", "Support 2"
-  std::string note;  ///< "fixed", "40 m/s"; of bodies empty
-  BodyRow body;      ///< of bodies and pieces alone
+  std::string note;  ///< "fixed", "40 m/s"; empty for bodies
+  BodyRow body;      ///< values of bodies and pieces
 };
 
-/// Rows of the bodies in the order of `bodies`, each with those of its supports and loads, then of projectiles, probes
-/// and cameras: as far as their name, note or state hold `filter`, what belongs to a body with it.
+/// Returns the rows of bodies in the order of `bodies`, each followed by its supports and loads, then of projectiles,
+/// probes and cameras. Only rows whose name, note or state contains `filter`; a matching body keeps its parts.
 std::vector<OutlinerRow> outliner_rows(const Scene& scene, const std::vector<BodyRow>& bodies, std::string_view filter);
-/// Rows of pieces, as far as their name or state hold `filter`.
+/// Returns the rows of pieces whose name or state contains `filter`.
 std::vector<OutlinerRow> outliner_piece_rows(std::vector<BodyRow> pieces, std::string_view filter);
 
 }  // namespace griffith::ui

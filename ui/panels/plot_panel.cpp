@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kListWidth = 130, kMinimumStrip = 56;  // design pixels
 
-/// An entry of the list, in the colour of its curve where it is plotted.
+/// Draws an entry of the list, in the color of its curve if it is plotted.
 void series_entry(Panel& panel, const RunSeries& series) {
   PlotChoice& chosen = panel.state.preferences.plotted;
   const std::span<const RunSeries> there = panel.input.series;
@@ -47,19 +47,19 @@ void series_list(Panel& panel) {
   tag_last_item(panel.tags, "plots/series", shown);
 }
 
-/// How it is plotted.
+/// Draws the settings of the axes.
 void scale_widgets(Panel& panel) {
   checkbox(panel, "plots/logarithmic", "log", panel.state.preferences.logarithmic_plots);
-  tooltip("Draws values by their logarithm: equal distances are equal ratios. Of what is not positive nothing shows.");
+  tooltip("Logarithmic scale: equal distances are equal ratios. Only positive values are shown.");
   ImGui::SameLine();
   std::optional<StepSpan>& zoom = panel.state.plots.zoom;
   ImGui::BeginDisabled(!zoom);
   if (text_button(panel, "plots/whole", "All")) zoom.reset();
   ImGui::EndDisabled();
-  tooltip("Shows all steps again. The wheel over the curves shows fewer or more, with Shift earlier or later ones.");
+  tooltip("Show all steps. Over the curves, the wheel zooms and Shift+wheel scrolls.");
 }
 
-/// What is plotted, and what can be done with it.
+/// Draws the plotted series and the buttons.
 void plots_bar(Panel& panel) {
   series_list(panel);
   ImGui::SameLine();
@@ -72,14 +72,14 @@ void plots_bar(Panel& panel) {
   if (text_button(panel, "plots/close", "Close")) issue(panel, {.id = CommandId::toggle_plots});
 }
 
-/// Which of the recorded steps it is; nothing where it is none.
+/// Returns the index of a recorded step; empty if it was not recorded.
 std::optional<std::size_t> row_of(const RunCurves& curves, std::int64_t step) {
   const auto row = std::ranges::lower_bound(curves.steps, step);
   if (row == curves.steps.end() || *row != step) return std::nullopt;
   return static_cast<std::size_t>(row - curves.steps.begin());
 }
 
-/// The value of a curve at a step, and that of the compared branch behind it.
+/// Formats the value of a curve at a step, followed by that of the compared branch.
 std::string value_text(const Panel& panel, std::size_t curve, std::int64_t step) {
   const auto text_in = [&](const RunCurves& curves) {
     const std::optional<std::size_t> row = row_of(curves, step);
@@ -92,7 +92,7 @@ std::string value_text(const Panel& panel, std::size_t curve, std::int64_t step)
          text_in(panel.input.comparison->curves);
 }
 
-/// The values of all curves at a step, beside the mouse.
+/// Shows the values of all curves at a step beside the mouse.
 void values_tooltip(Panel& panel, std::int64_t step) {
   const RunCurves& curves = panel.input.curves;
   const bool recorded = row_of(curves, step).has_value();
@@ -108,7 +108,7 @@ void values_tooltip(Panel& panel, std::int64_t step) {
   ImGui::EndTooltip();
 }
 
-/// Of the strip drawn last: a click or a drag goes to a step.
+/// Lets a click or a drag in the strip drawn last go to a step.
 void follow_mouse(Panel& panel, const PlotView& view) {
   if (panel.state.plots.for_picture) return;
   const bool held = ImGui::IsItemActive();
@@ -118,7 +118,7 @@ void follow_mouse(Panel& panel, const PlotView& view) {
   values_tooltip(panel, pointed);
 }
 
-/// Over the curves the wheel shows fewer or more steps, with Shift earlier or later ones; over their axes it scrolls.
+/// Lets the wheel zoom over the curves and pan with Shift; over the axes it scrolls.
 void follow_wheel(Panel& panel, const PlotView& view) {
   constexpr double kFactor = 0.8, kPartMoved = 0.1;
   const ImGuiIO& io = ImGui::GetIO();
@@ -135,12 +135,12 @@ void follow_wheel(Panel& panel, const PlotView& view) {
   panel.state.plots.zoom = wanted == whole ? std::nullopt : std::optional(wanted);
 }
 
-/// What the strips show of curves.
+/// Returns the parts of the curves in the shown steps.
 RunCurves shown_part(const Panel& panel, const RunCurves& curves) {
   return panel.state.plots.zoom ? part_of(curves, shown_steps(panel)) : curves;
 }
 
-/// Strips share the height of the panel, and scroll where that is too little.
+/// Returns the height of a strip. Strips share the height of the panel, which scrolls if they do not fit.
 float strip_height(const Panel& panel, std::size_t count) {
   const float spacing = ImGui::GetStyle().ItemSpacing.y, strips = static_cast<float>(count);
   const float room = ImGui::GetContentRegionAvail().y - plot_times_height(panel) - strips * spacing;
@@ -153,7 +153,7 @@ void draw_plot_panel(Panel& panel) {
   plots_bar(panel);
   const RunCurves curves = shown_part(panel, panel.input.curves);
   const std::vector<PlotStrip> strips = plot_strips(curves);
-  if (strips.empty()) return hint(panel, "Choose in the list what is to be plotted.");
+  if (strips.empty()) return hint(panel, "Select series in the list.");
   ImGui::BeginChild("##strips", {0, 0}, false, ImGuiWindowFlags_NoScrollWithMouse);
   const float height = strip_height(panel, strips.size());
   const RunCurves compared_curves =

@@ -6,10 +6,10 @@
 namespace griffith::ui {
 namespace {
 
-/// Frames in which panels unfold what is sought, find its place and scroll there.
+/// Frames in which panels unfold the field, find its position and scroll there.
 constexpr int kFramesToSeek = 4;
 
-/// Chooses what the problem is about, and has its field shown with the problem beside it.
+/// Chooses the entry of the problem, and shows its field with the problem beside it.
 void go_to_field(Panel& panel, const SceneProblem& problem) {
   const FieldPlace place = field_place(panel.history.scene(), problem.pointer);
   if (place.entry) choose_entries(panel.state, panel.history.scene(), {*place.entry});
@@ -48,7 +48,7 @@ void draw_problem_panel(Panel& panel) {
   if (text_button(panel, "problems/close", "Close")) panel.state.problem_view.shown = false;
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
-  ImGui::TextColored(as_vec4(palette::kTextDim), "%s: a click goes to the field", problem_count_text(problems).c_str());
+  ImGui::TextColored(as_vec4(palette::kTextDim), "%s: click to go to the field", problem_count_text(problems).c_str());
   tag_last_item(panel.tags, "problems/count", problem_count_text(problems));
   ImGui::Separator();
   ImGui::BeginChild("##list");

@@ -11,15 +11,15 @@
 namespace griffith::ui {
 namespace {
 
-/// A shape that the tool can fire, and its name in the list.
+/// A shape that the tool can fire, with its listed name.
 struct Choice {
   std::string name;
   std::optional<ProjectileShape> shape;
 };
 
-constexpr char kSurface[] = "Surface of a file";
+constexpr char kSurface[] = "Surface file";
 
-/// Spheres, boxes, surfaces of files, and the hulls that the scene's own bursts are.
+/// Returns spheres, boxes, surface files, and the hulls of the scene's own bursts.
 std::vector<Choice> choices(const Scene& scene) {
   std::vector<Choice> all = {{"Sphere", std::nullopt}, {"Box", BoxProjectile{}}, {kSurface, SurfaceProjectile{}}};
   for (std::size_t i = 0; i < scene.projectiles.size(); ++i)
@@ -36,13 +36,13 @@ std::string name_of(const std::vector<Choice>& all, const std::optional<Projecti
   return std::holds_alternative<SurfaceProjectile>(*shape) ? kSurface : "Hull";
 }
 
-/// A number for the field `name` of a burst.
+/// Draws a number for the field `name` of a burst.
 template <class T>
 void number_row(Panel& panel, const char* tag, const char* label, const char* name, double& value) {
   number_field_row(panel, {.tag = tag, .label = label, .numbers = range_of<T>(name)}, value);
 }
 
-/// Sides of a box, in one unit.
+/// Draws the sides of a box in one unit.
 void size_rows(Panel& panel, Vec3& size) {
   constexpr std::array kSides = {"width", "height", "depth"}, kLabels = {"Width", "Height", "Depth"};
   const std::string tag = "projectile/size/";
@@ -54,13 +54,13 @@ void size_rows(Panel& panel, Vec3& size) {
         size[static_cast<Eigen::Index>(i)]);
 }
 
-/// Which surface it is; its convex hull is what flies.
+/// Draws the choice of a surface; its convex hull is fired.
 void surface_rows(Panel& panel, SurfaceProjectile& surface) {
   draw_field(panel,
              {"projectile/path", "Surface",
-              ".obj, .stl, .ply, .off, .gltf or .glb: the convex hull flies. Enter takes the path."},
+              ".obj, .stl, .ply, .off, .gltf or .glb: the convex hull is fired. Enter accepts the path."},
              panel.history.scene().folder, surface.path);
-  number_row<SurfaceProjectile>(panel, "projectile/scale", "Metres a unit", "scale", surface.scale);
+  number_row<SurfaceProjectile>(panel, "projectile/scale", "Meters per unit", "scale", surface.scale);
 }
 
 void shape_rows(Panel& panel, ProjectileBurst& shot) {
@@ -73,14 +73,14 @@ void shape_rows(Panel& panel, ProjectileBurst& shot) {
   if (auto* box = std::get_if<BoxProjectile>(&*shot.shape)) size_rows(panel, box->size);
   if (auto* surface = std::get_if<SurfaceProjectile>(&*shot.shape)) surface_rows(panel, *surface);
   constexpr std::array kTurns = {"projectile/turn_x", "projectile/turn_y", "projectile/turn_z"};
-  constexpr std::array kLabels = {"Turn about x", "Turn about y", "Turn about z"};
+  constexpr std::array kLabels = {"Rotation x", "Rotation y", "Rotation z"};
   for (std::size_t i = 0; i < 3; ++i)
     number_field_row(panel,
                      {.tag = kTurns[i], .label = kLabels[i], .numbers = range_of<ProjectileBurst>("rotation_degrees")},
                      shot.rotation_degrees[static_cast<Eigen::Index>(i)]);
 }
 
-/// What the scene's burst says by a density is tuned as one: the mass then follows the size.
+/// Draws mass or density. A burst with a density keeps it, so that its mass follows the size.
 void mass_rows(Panel& panel, ProjectileBurst& shot) {
   constexpr double kDensityOfSteel = 7850;
   if (shot.density) {
@@ -93,7 +93,7 @@ void mass_rows(Panel& panel, ProjectileBurst& shot) {
   shot.density = by_density ? std::optional(kDensityOfSteel) : std::nullopt;
 }
 
-/// Something to fire, to start from.
+/// A preset of the projectile tool.
 struct ShotPreset {
   const char* name;
   double radius, mass, speed;
@@ -137,7 +137,7 @@ void draw_projectile_panel(Panel& panel) {
                    {.tag = "projectile/count",
                     .label = "Burst",
                     .numbers = range_of<ProjectileBurst>("count"),
-                    .tooltip = "Projectiles in a row."},
+                    .tooltip = "Number of projectiles, fired one after the other."},
                    shot.count);
   if (shot.count > 1) {
     number_row<ProjectileBurst>(panel, "projectile/interval", "Interval", "interval", shot.interval);

@@ -18,7 +18,7 @@ namespace {
 constexpr float kGripSize = 5;  // half an edge, design pixels
 constexpr double kMinRadius = 1e-6;
 
-/// A region that is shown, and where its body stands.
+/// A shown region with the pose of its body.
 struct ShownRegion {
   SceneEntry entry;
   Region region;
@@ -34,7 +34,7 @@ std::optional<ShownRegion> shown_region(const Panel& panel) {
                      pose_of(panel.history.scene().bodies[static_cast<std::size_t>(chosen->scene_body)])};
 }
 
-/// The grip under the mouse, the nearest to the eye where there are several; nothing where there is none.
+/// Returns the grip under the mouse that is nearest to the eye; empty if there is none.
 std::optional<std::size_t> grip_at(const Panel& panel, const ShownRegion& shown, ImVec2 mouse) {
   const ViewCamera camera = view_camera(panel);
   const double reach = 1.5 * kGripSize * ui_scale(panel);
@@ -52,7 +52,8 @@ std::optional<std::size_t> grip_at(const Panel& panel, const ShownRegion& shown,
   return found;
 }
 
-/// How far the cursor has gone along the way of the grip since it was grabbed [m]; nothing where the ray says nothing.
+/// Returns the distance that the cursor has moved along the grip's direction since the start [m]; empty if the ray has
+/// no solution.
 std::optional<double> way_of(const RegionDrag& drag, const Pose& pose, const ViewRay& ray) {
   const RegionGrip grip = region_grips(drag.start)[drag.grip];
   const Vec3 place = pose.to_world(grip.place), direction = pose.rotation * grip.direction;
@@ -66,7 +67,7 @@ void follow_cursor(Panel& panel, RegionDrag& drag, const Pose& pose) {
   const RegionGrip grip = region_grips(drag.start)[drag.grip];
   const std::optional<double> way = way_of(drag, pose, ray);
   if (!way) return;
-  // The coordinate of a face becomes round, not the way that it has gone.
+  // Round the coordinate of the face, not its displacement.
   const double step = drag_steps(panel, pose.to_world(grip.place)).length, along = grip.place.dot(grip.direction);
   drag.region = drag_grip(drag.start, drag.grip, multiple_of(along + *way, step) - along, kMinRadius);
 }
@@ -78,7 +79,8 @@ void let_region_go(Panel& panel, const RegionDrag& drag) {
   panel.history.finish();
 }
 
-/// "x 0.25 m": where the face is, in the body's rest space; "radius 0.1 m"; "+0.5 m": how far a plane has gone.
+/// Describes the drag: "x 0.25 m", the face in the body's rest space; "radius 0.1 m"; "+0.5 m", the displacement of a
+/// plane.
 std::string region_text(const RegionDrag& drag) {
   const RegionGrip grip = region_grips(drag.region)[drag.grip];
   if (const auto* sphere = std::get_if<SphereRegion>(&drag.region))

@@ -4,13 +4,13 @@
 
 namespace griffith::ui {
 
-// The region of the chosen support, load or probe, at the start of the scene's time: a scene says where it is then.
+// Region of the active support, load or probe, at the start of the simulation, for which scenes define it.
 
-/// Lets the mouse drag the faces of a box and the surface of a sphere. To be called behind the item that the picture
-/// fills. Whether the mouse is the region's: it means nothing else then.
+/// Lets the mouse drag the faces of a box and the surface of a sphere. Call it after the item that the picture fills.
+/// True if the region takes the mouse.
 bool drag_region(Panel& panel);
 
-/// Draws its outline over the picture, with what can be dragged.
+/// Draws the outline of the region over the picture, with its grips.
 void draw_region(Panel& panel);
 
 }  // namespace griffith::ui

@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kBrushRadius = 24;  // design pixels
 
-/// Where the brush is put down at a point of the picture; whether the body is there.
+/// Applies the brush at a point of the picture. True if the body is there.
 bool put_down(const Panel& panel, const ChosenRegion& canvas, RegionStroke& stroke, const Vec2& pixel) {
   const Frame& frame = panel.input.frame;
   const ViewCamera camera = view_camera(panel);
@@ -35,7 +35,7 @@ bool put_down(const Panel& panel, const ChosenRegion& canvas, RegionStroke& stro
   return true;
 }
 
-/// Begins a stroke where the button went down on the body.
+/// Begins a stroke if the button went down on the body.
 void begin_stroke(Panel& panel, const ChosenRegion& canvas) {
   RegionStroke stroke{
       .entry = canvas.entry,
@@ -46,7 +46,7 @@ void begin_stroke(Panel& panel, const ChosenRegion& canvas) {
   if (put_down(panel, canvas, stroke, pixel_of(panel, clicked))) panel.state.region_stroke = std::move(stroke);
 }
 
-/// Puts the brush down along the way of the mouse, so densely that there are no gaps.
+/// Applies the brush along the path of the mouse, without gaps.
 void follow_mouse(const Panel& panel, const ChosenRegion& canvas, RegionStroke& stroke) {
   const Vec2 from = stroke.last, to = pixel_of(panel, ImGui::GetIO().MousePos);
   const int places = static_cast<int>(std::ceil((to - from).norm() / (kBrushRadius * ui_scale(panel))));

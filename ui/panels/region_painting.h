@@ -4,10 +4,10 @@
 
 namespace griffith::ui {
 
-// The region of the chosen support, load or probe, painted on its body at the start of the scene's time.
+// Region of the active support, load or probe, painted on its body at the start of the simulation.
 
-/// Lets the mouse paint nodes, or take them off with Ctrl, while painting is on; a drag that begins beside the body
-/// turns the view as ever. To be called behind the item that the picture fills. Whether the mouse is the brush's.
+/// Lets the mouse paint nodes, or erase them with Ctrl, while painting is on; a drag that begins off the body rotates
+/// the view as usual. Call it after the item that the picture fills. True if the brush takes the mouse.
 bool paint_region(Panel& panel);
 
 /// Draws the nodes of a painted region over the picture, and the brush.

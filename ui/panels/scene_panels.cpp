@@ -8,19 +8,19 @@ namespace griffith::ui {
 namespace {
 
 bool header(const Panel& panel, const char* tag, const std::string& text) {
-  open_if_wanted(panel, tag);
+  open_if_sought(panel, tag);
   const bool open = ImGui::CollapsingHeader((text + "###" + tag).c_str());
   tag_last_item(panel.tags, tag, open ? "open" : "closed");
   return open;
 }
 
-/// What the entry was called before the edit that is going on, unless that is what made it.
+/// Returns the entry's name before the current edit, unless that edit created it.
 std::string old_name(const EditHistory& history, const SceneEntry& entry) {
   const bool was_there = history.editing() && has_entry(history.entries().back().before, entry);
   return full_name(was_there ? history.entries().back().before : history.scene(), entry);
 }
 
-/// Why the edited entry cannot have its name; empty: it can. Probes follow their body to its new one.
+/// Returns the reason why the edited entry cannot have its name; empty if it can. Probes follow a renamed body.
 template <class T>
 std::string take_name(const Scene& scene, const SceneEntry& entry, const T& edited) {
   if constexpr (requires { edited.name; }) {
@@ -31,7 +31,7 @@ std::string take_name(const Scene& scene, const SceneEntry& entry, const T& edit
   }
 }
 
-/// Draws the rows of an entry and puts what is edited into the scene. `tag`: what their tags begin with.
+/// Draws the rows of an entry and puts its edits into the scene. `tag`: prefix of their tags.
 template <class T>
 void entry_rows(Panel& panel, const SceneEntry& entry, const std::string& tag, T edited,
                 const std::vector<std::string_view>& hidden) {

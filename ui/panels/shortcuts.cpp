@@ -5,7 +5,7 @@
 namespace griffith::ui {
 namespace {
 
-/// `may_repeat`: a key that is held down counts again and again, where its command is one for that.
+/// True if the shortcut was pressed. `may_repeat`: allows repetition of a held key, for commands that repeat.
 bool shortcut_pressed(const Shortcut& shortcut, bool may_repeat) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool repeats = may_repeat && (shortcut.key == 'N' || shortcut.key == 'Z');
@@ -13,8 +13,8 @@ bool shortcut_pressed(const Shortcut& shortcut, bool may_repeat) {
          ImGui::IsKeyPressed(shortcut.key, repeats);
 }
 
-/// A dialog takes all orders but those that leave the scene alone, and so does a text field; the help goes as it came.
-/// What is asked for while work goes on waits for it, and for what waits already.
+/// Issues a command of a shortcut. A dialog or text field blocks all but those that do not affect the scene; the key of
+/// the help also closes it. During work, commands are queued in order.
 void take_order(Panel& panel, const Command& command, Dialog dialog, bool waits) {
   if (command.id == CommandId::screenshot || command.id == CommandId::quit) return issue(panel, command);
   if (ImGui::GetIO().WantTextInput) return;
@@ -22,7 +22,7 @@ void take_order(Panel& panel, const Command& command, Dialog dialog, bool waits)
   if (dialog == Dialog::none || (dialog == Dialog::help && command.id == CommandId::help)) issue(panel, command);
 }
 
-/// One in a drawn frame, since it may make work that the next one has to wait for.
+/// Issues one queued command per drawn frame: its work may delay the next one.
 void issue_waiting(Panel& panel) {
   std::vector<Command>& waiting = panel.state.waiting;
   if (waiting.empty()) return;

@@ -23,13 +23,13 @@ void count_row(const Panel& panel, const char* label, std::size_t value) {
   value_row(panel, label, count_text(static_cast<long long>(value)), palette::kText);
 }
 
-/// A counter that ought to be 0.
+/// Draws a counter that should be 0.
 void trouble_row(const Panel& panel, const char* label, int value, ImU32 color, const char* cure) {
   value_row(panel, label, count_text(value), value > 0 ? color : palette::kTextDim);
   tooltip(cure);
 }
 
-/// Lasts from the first crack of a scaled body on; there is none without.
+/// Draws a row that is shown from the first crack of a scaled body on.
 void broke_scaled_row(const Panel& panel) {
   const std::vector<ScaledBreak> breaks = scaled_breaks(panel.input.frame);
   if (breaks.empty()) return;
@@ -58,7 +58,7 @@ void scaled_row(const Panel& panel) {
   const auto slowest = std::ranges::min_element(bodies, {}, factor);
   trouble_row(panel, "Scaled bodies", static_cast<int>(count), palette::kWarning,
               count > 0 ? stand_in_text(*slowest->scaled).c_str()
-                        : "Their waves would have taken more microsteps than step_budget leaves.");
+                        : "Bodies whose waves would need more microsteps than step_budget allows.");
 }
 
 void counter_row(const Panel& panel, const StepCounter& counter, int value) {
@@ -77,7 +77,7 @@ void counter_row(const Panel& panel, const StepCounter& counter, double value) {
   tooltip(counter.meaning.data());
 }
 
-/// What to do about things that pass into one another, where they do.
+/// Warns of deep penetration, with its remedy.
 void overlap_warning(const Panel& panel) {
   const std::optional<DeepOverlap> overlap = deep_overlap(panel.input.frame);
   if (!overlap) return;
@@ -96,7 +96,7 @@ void step_rows(const Panel& panel) {
   scaled_row(panel);
 }
 
-/// A value and, as a bar below it, its share of a whole, 0..1.
+/// Draws a value with its fraction of a whole, 0..1, as a bar.
 void share_row(const Panel& panel, const char* label, const std::string& text, double share) {
   value_row(panel, label, text, palette::kText);
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
@@ -120,7 +120,7 @@ void energy_row(const Panel& panel, const char* label, const EnergyShare& share,
   tooltip(meaning);
 }
 
-/// Where the energy came from, and where it is or went: shares of all that came in.
+/// Draws the entries of the energy account as fractions of all supplied energy.
 void energy_rows(const Panel& panel) {
   const EnergyAccount& energy = panel.input.frame.energy;
   const double whole = energy.turned_over();
@@ -130,7 +130,7 @@ void energy_rows(const Panel& panel) {
   for (const EnergyEntry& entry : energy_entries())
     energy_row(panel, entry.label.data(), energy_share(energy.*entry.value, whole, noise), entry.meaning.data());
   energy_row(panel, "Unaccounted", energy_share(energy.unaccounted(), whole, noise),
-             "What the entries above do not explain.");
+             "Remainder that the entries above do not explain.");
 }
 
 void timing_rows(const Panel& panel) {
@@ -138,7 +138,7 @@ void timing_rows(const Panel& panel) {
   heading(panel, "Time of the last step");
   time_bar(panel, "Contact", t.contact, t.step);
   time_bar(panel, "Elasticity", t.elasticity, t.step);
-  time_bar(panel, "Shock", t.shock, t.step);
+  time_bar(panel, "Explicit dynamics", t.shock, t.step);
   time_bar(panel, "Separation", t.separation, t.step);
   time_bar(panel, "Fracture", t.fracture, t.step);
   time_bar(panel, "Step", t.step, t.step);

@@ -20,7 +20,7 @@ void recent_lines(const std::vector<LogLine>& log) {
   ImGui::EndTooltip();
 }
 
-/// How many problems there are, to be clicked, where there are any.
+/// Draws the number of problems as a button, if there are any.
 void problem_count(Panel& panel, float place) {
   const std::string text = problem_count_text(panel.input.problems);
   ImGui::SameLine(place);
@@ -30,13 +30,13 @@ void problem_count(Panel& panel, float place) {
   tooltip(panel.input.problems.front().text);
 }
 
-/// Tells that a macro is being recorded; a click stops it.
+/// Shows that a macro is being recorded; a click stops it.
 void recording_mark(Panel& panel, float place) {
   ImGui::SameLine(place);
   ImGui::TextColored(as_vec4(palette::kError), "%s", kRecording);
   tag_last_item(panel.tags, "status/recording", kRecording);
   if (ImGui::IsItemClicked()) issue(panel, {.id = CommandId::record_macro});
-  tooltip("A click stops the recording and asks for a name.");
+  tooltip("Click to stop recording and enter a name.");
 }
 
 }  // namespace

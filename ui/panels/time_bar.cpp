@@ -14,7 +14,7 @@ namespace {
 constexpr std::array<const char*, 4> kCrackPlaces = {"none", "any", "of the selected body", "at the selected node"};
 constexpr ImU32 kImpactColor = IM_COL32(102, 187, 240, 255);
 
-/// What happened in the steps that the cursor points at.
+/// Describes the events of the steps under the cursor.
 std::string ticks_text(const TimeView& time, std::int64_t first, std::int64_t last) {
   int cracks = 0, impacts = 0;
   bool alarm = false;
@@ -22,13 +22,13 @@ std::string ticks_text(const TimeView& time, std::int64_t first, std::int64_t la
     if (tick.step >= first && tick.step <= last) cracks += tick.cracks, impacts += tick.impacts, alarm |= tick.alarm;
   std::string text;
   const auto add = [&text](const std::string& part) { text += (text.empty() ? ": " : ", ") + part; };
-  if (impacts > 0) add(impacts == 1 ? "something was struck" : std::to_string(impacts) + " bodies were struck");
+  if (impacts > 0) add(impacts == 1 ? "1 body hit" : std::to_string(impacts) + " bodies hit");
   if (cracks > 0) add(std::to_string(cracks) + (cracks == 1 ? " crack" : " cracks"));
-  if (alarm) add("trouble in the numbers");
+  if (alarm) add("numerical problems");
   return text;
 }
 
-/// Where steps are on the bar.
+/// Mapping of steps to the timeline.
 struct Scale {
   ImVec2 low, high;
   std::int64_t first, steps;
@@ -42,7 +42,7 @@ struct Scale {
   }
 };
 
-/// Ticks of cracks grow with their number, as its logarithm; those of impacts and alarms hang from above.
+/// Draws ticks: cracks grow with the logarithm of their number; impacts and alarms hang from above.
 void draw_ticks(const Panel& panel, const Scale& bar) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float scale = ui_scale(panel), height = bar.high.y - bar.low.y;
@@ -57,7 +57,7 @@ void draw_ticks(const Panel& panel, const Scale& bar) {
   }
 }
 
-/// The past of the branch: a click or a drag goes there.
+/// Draws the past of the branch: a click or a drag goes there.
 void draw_bar(Panel& panel, float width) {
   const TimeView& time = panel.input.time;
   const float scale = ui_scale(panel), height = ImGui::GetFrameHeight();
@@ -84,7 +84,7 @@ void draw_bar(Panel& panel, float width) {
   }
 }
 
-/// "branch 1, from step 40 of branch 0".
+/// Names a branch: "branch 1, from step 40 of branch 0".
 std::string branch_text(const TimeView& time, int branch) {
   const TimeView::BranchView& view = time.branches[branch];
   std::string text = "branch " + std::to_string(branch);
@@ -93,7 +93,7 @@ std::string branch_text(const TimeView& time, int branch) {
   return text + ", to step " + std::to_string(view.last_step);
 }
 
-/// How many ancestors a branch has.
+/// Returns the number of ancestors of a branch.
 int depth_of(const TimeView& time, int branch) {
   int depth = 0;
   for (; time.branches[branch].parent >= 0; branch = time.branches[branch].parent) ++depth;
@@ -115,25 +115,25 @@ void branch_list(Panel& panel) {
     ImGui::EndCombo();
   }
   tag_last_item(panel.tags, "time/branch", shown);
-  if (!open) tooltip("What was done otherwise in the past goes on beside what was.");
+  if (!open) tooltip("Changes in the past start a new branch.");
 }
 
-/// With which branch the shown one is compared, and how.
+/// Draws the choice of the compared branch and the style of the comparison.
 void comparison_fields(Panel& panel) {
   Comparison& comparison = panel.state.comparison;
   const auto choice = [&](const std::string& text, const char* name, std::optional<int> branch) {
     if (ImGui::RadioButton(text.c_str(), comparison.branch == branch)) comparison.branch = branch;
     tag_last_item(panel.tags, std::string("compare/") + name, comparison.branch == branch ? "on" : "off");
   };
-  choice("no other branch", "none", std::nullopt);
+  choice("no comparison", "none", std::nullopt);
   for (int i = 0; i < static_cast<int>(panel.input.time.branches.size()); ++i)
     if (i != panel.input.time.branch) choice(branch_text(panel.input.time, i), std::to_string(i).c_str(), i);
   ImGui::Separator();
-  checkbox(panel, "compare/ghost", "as a ghost", comparison.as_ghost);
-  tooltip("One picture through the other, in place of both side by side with a border to drag.");
+  checkbox(panel, "compare/ghost", "overlay", comparison.as_ghost);
+  tooltip("Overlay the pictures instead of showing them side by side.");
 }
 
-/// Begins the popup of the button that was drawn last, above it, up to ImGui::EndPopup(), where it is open.
+/// True if the popup of the last button is open; begins it above the button, up to ImGui::EndPopup().
 bool begin_popup_above(const Panel& panel, const char* popup) {
   const ImVec2 corner(ImGui::GetItemRectMax().x, ImGui::GetItemRectMin().y - 4 * ui_scale(panel));
   ImGui::SetNextWindowPos(corner, ImGuiCond_Appearing, {1, 1});
@@ -153,13 +153,13 @@ void comparison_button(Panel& panel) {
   ImGui::EndPopup();
 }
 
-/// How wide a button with that text is, with the gap behind it.
+/// Returns the width of a button with that text and the gap after it.
 float button_room(const char* text) {
   const ImGuiStyle& style = ImGui::GetStyle();
   return ImGui::CalcTextSize(text).x + 2 * style.FramePadding.x + style.ItemSpacing.x;
 }
 
-/// A number that belongs to a check box.
+/// Draws a number that belongs to a check box.
 void limit_field(Panel& panel, const char* tag, const Numbers& numbers, const char* meaning, double& value,
                  bool whole = false) {
   ImGui::SameLine();
@@ -177,16 +177,16 @@ void breakpoint_fields(Panel& panel) {
   }
   ImGui::Separator();
   ImGui::TextUnformatted("Stop before a step in which");
-  checkbox(panel, "time/break/on_utilization", "a utilization passes", points.on_utilization);
-  limit_field(panel, "time/break/utilization", between(0, 100), "Load over resistance: 1 is where a node cracks.",
+  checkbox(panel, "time/break/on_utilization", "the utilization exceeds", points.on_utilization);
+  limit_field(panel, "time/break/utilization", between(0, 100), "Load over resistance; a node cracks at 1.",
               points.utilization);
-  checkbox(panel, "time/break/on_pieces", "the pieces come to be", points.on_pieces);
+  checkbox(panel, "time/break/on_pieces", "the number of pieces reaches", points.on_pieces);
   double pieces = points.pieces;
-  limit_field(panel, "time/break/pieces", between(1, 1e6), "A whole number.", pieces, true);
+  limit_field(panel, "time/break/pieces", between(1, 1e6), "An integer.", pieces, true);
   points.pieces = static_cast<int>(std::lround(pieces));
-  checkbox(panel, "time/break/on_energy", "more energy is unaccounted for than", points.on_energy);
-  limit_field(panel, "time/break/energy", between(0, 1), "Of the energy that the step turns over.", points.energy);
-  checkbox(panel, "time/break/on_failure", "a solve fails, or values break down", points.on_failure);
+  checkbox(panel, "time/break/on_energy", "the unaccounted energy exceeds", points.on_energy);
+  limit_field(panel, "time/break/energy", between(0, 1), "Fraction of the energy turnover of the step.", points.energy);
+  checkbox(panel, "time/break/on_failure", "a solve fails or values are not finite", points.on_failure);
 }
 
 void breakpoint_button(Panel& panel) {
@@ -195,7 +195,7 @@ void breakpoint_button(Panel& panel) {
   if (ImGui::Button("Stop before…")) ImGui::OpenPopup("##breakpoints");
   if (armed) ImGui::PopStyleColor();
   tag_last_item(panel.tags, "time/breakpoints", armed ? "armed" : "none");
-  tooltip("Where the simulation is to stop by itself: before a crack, not after it.");
+  tooltip("Conditions that stop the simulation: before a crack, not after it.");
   if (!begin_popup_above(panel, "##breakpoints")) return;
   breakpoint_fields(panel);
   ImGui::EndPopup();

@@ -23,7 +23,7 @@ void simulation_buttons(Panel& panel) {
   command_button(panel, CommandId::fire, Icon::fire, true);
 }
 
-/// 0.1 to 100 % of real time.
+/// Draws the speed, 0.1 to 100 % of real time.
 void speed_field(Panel& panel) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextColored(as_vec4(palette::kTextDim), "Speed");
@@ -34,7 +34,8 @@ void speed_field(Panel& panel) {
       .tag = "toolbar/speed",
       .label = {},
       .numbers = between(0.1, 100, "%"),
-      .tooltip = "Slow motion: simulated time against real time. The time step stays; fewer steps are made a second."};
+      .tooltip =
+          "Slow motion: simulated time over real time. The time step stays the same; fewer steps are made per second."};
   if (number_field(panel, field, percent).changed) panel.state.speed = percent / 100;
 }
 
@@ -55,7 +56,7 @@ void clock(const Panel& panel) {
   tag_last_item(panel.tags, "toolbar/step", text);
 }
 
-/// Text behind the last item, where it ends before `end`.
+/// Draws text after the last item if it ends before `end`. True if it fits.
 bool text_before(const Panel& panel, float end, ImU32 color, const char* text) {
   gap(panel, 14);
   const bool fits = ImGui::GetCursorPosX() + ImGui::CalcTextSize(text).x <= end;
@@ -63,7 +64,7 @@ bool text_before(const Panel& panel, float end, ImU32 color, const char* text) {
   return fits;
 }
 
-/// Tells of a step that keeps one waiting. Whether there is one.
+/// Shows the progress of a slow step. True if there is one.
 bool long_step(const Panel& panel, float end) {
   constexpr double kLong = 0.5;  // [s]
   if (panel.input.step_in_progress < kLong) return false;
@@ -90,9 +91,9 @@ void times(const Panel& panel, float end) {
   const auto show = [&](const char* tag) {
     if (text_before(panel, end, palette::kTextDim, text)) tag_last_item(panel.tags, tag, text);
   };
-  std::snprintf(text, sizeof text, "%.1f ms a step", panel.input.step_milliseconds);
+  std::snprintf(text, sizeof text, "%.1f ms/step", panel.input.step_milliseconds);
   show("toolbar/step_time");
-  if (!panel.state.running) return;  // the window draws when something changes, and no time goes by
+  if (!panel.state.running) return;  // the window draws only when something changes, so no time passes
   const double pictures = panel.input.frames_per_second;
   std::snprintf(text, sizeof text, pictures < 10 ? "%.2g pictures/s" : "%.0f pictures/s", pictures);
   show("toolbar/pictures");

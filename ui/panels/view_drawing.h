@@ -9,28 +9,29 @@
 
 namespace griffith::ui {
 
-// What is drawn over the picture, and dragged in it.
+// Drawing and dragging over the picture.
 
-/// Of what the mouse holds or points at.
+/// Color of an item that the mouse holds or points at.
 inline constexpr ImU32 kHeldColor = IM_COL32(255, 214, 92, 255);
-/// Round lines, so that they stand out from a picture of any colour.
+/// Rim of lines, so that they stand out from a picture of any color.
 inline constexpr ImU32 kRimColor = IM_COL32(16, 18, 22, 150);
 
-/// The picture's camera, as large as it is drawn now.
+/// Returns the picture's camera at the size at which it is drawn.
 ViewCamera view_camera(const Panel& panel);
-/// The point of the picture under the mouse [pixels].
+/// Returns the point of the picture under the mouse [pixels].
 Vec2 pixel_of(const Panel& panel, ImVec2 mouse);
 ImVec2 on_screen(const Panel& panel, const Vec2& pixel);
 
-/// Round steps that suit the size of all bodies with Ctrl; else as fine as pixels at that place.
+/// Returns the increments of a drag: with Ctrl round ones that suit the size of all bodies, else those of a pixel at
+/// that point.
 DragSteps drag_steps(const Panel& panel, const Vec3& place);
-/// How large what has no end is drawn [m].
+/// Returns the drawn size of unbounded regions [m].
 double region_size(const Panel& panel);
 
-/// Lines of a rest space that stands at `pose`, as far as they are before the eye.
+/// Draws the parts of lines in front of the eye. The lines are in a rest space with the given `pose`.
 void draw_world_lines(const Panel& panel, ImDrawList* list, const std::vector<RegionLine>& lines, const Pose& pose,
                       ImU32 color);
-/// What a drag comes to, beside the cursor, within the picture.
+/// Writes the result of a drag beside the cursor, within the picture.
 void draw_readout(const Panel& panel, ImDrawList* list, const std::string& text);
 
 }  // namespace griffith::ui

@@ -20,7 +20,7 @@ void quantity_row(Panel& panel) {
     labels.emplace_back(quantity.label);
     if (quantity.key == panel.state.view.quantity) shown = quantity.label;
   }
-  const int chosen = combo_row(panel, "view/quantity", "Colour by", labels, shown);
+  const int chosen = combo_row(panel, "view/quantity", "Color by", labels, shown);
   if (chosen < 0) return;
   panel.state.view.quantity = view_quantities()[static_cast<std::size_t>(chosen)].key;
   panel.state.view.range.reset();
@@ -35,11 +35,11 @@ void quality_row(Panel& panel) {
 
 void color_map_row(Panel& panel) {
   const std::vector<std::string> names(color_map_names().begin(), color_map_names().end());
-  const int chosen = combo_row(panel, "view/color_map", "Colours", names, panel.state.view.color_map);
+  const int chosen = combo_row(panel, "view/color_map", "Color map", names, panel.state.view.color_map);
   if (chosen >= 0) panel.state.view.color_map = names[static_cast<std::size_t>(chosen)];
 }
 
-/// Both ends of a locked range, in the quantity's unit.
+/// Draws both ends of a locked range, in the quantity's unit.
 void range_rows(Panel& panel) {
   Vec2& range = *panel.state.view.range;
   Numbers numbers = range_of<ViewSettings>("range");
@@ -54,20 +54,20 @@ void range_rows(Panel& panel) {
                                         .label = kLabels[i],
                                         .numbers = numbers,
                                         .prefix = prefix,
-                                        .beside = range.cwiseAbs().maxCoeff()},
+                                        .vector_magnitude = range.cwiseAbs().maxCoeff()},
                                        wanted[end]);
     if (!edit.changed) continue;
     if (wanted[0] < wanted[1])
       range = wanted;
     else
-      panel.state.field_note = {kTags[i], "The range has to begin below its end: it stays as it was."};
+      panel.state.field_note = {kTags[i], "The range must begin below its end; it was not changed."};
   }
 }
 
 void range_part(Panel& panel) {
   bool locked = panel.state.view.range.has_value();
   ImGui::BeginDisabled(!panel.input.legend);
-  if (checkbox(panel, "view/lock_range", "Lock colour range", locked)) {
+  if (checkbox(panel, "view/lock_range", "Lock color range", locked)) {
     issue(panel, {.id = CommandId::toggle_range_lock});
   }
   ImGui::EndDisabled();
@@ -77,15 +77,15 @@ void range_part(Panel& panel) {
   ImGui::BeginDisabled(!panel.input.legend || always);
   if (checkbox(panel, "view/symmetric", "Symmetric about 0", symmetric)) panel.state.view.symmetric = symmetric;
   ImGui::EndDisabled();
-  if (always) tooltip("Automatic colours of what has a sign part at 0. Choose others for another range.");
+  if (always) tooltip("The automatic color map of signed values is symmetric. Choose another map for another range.");
 }
 
-/// A number of the view.
+/// Draws a number of the view.
 void view_row(Panel& panel, const std::string& name, const char* label, double& value) {
   number_field_row(panel, {.tag = "view/" + name, .label = label, .numbers = range_of<ViewSettings>(name)}, value);
 }
 
-/// Turns the slice to an axis, or to face the eye; it stays where it cuts the middle of the bodies.
+/// Aligns the slice with an axis or the view; it still passes through the same point at the center of the bodies.
 void align_slice(Panel& panel, const Vec3& normal) {
   const Vec3 middle = 0.5 * (panel.input.low + panel.input.high), unit = normal.normalized();
   panel.state.view.slice = SlicePlane{unit, unit.dot(middle)};
@@ -109,14 +109,16 @@ void slice_rows(Panel& panel) {
   }
   SlicePlane& slice = *panel.state.view.slice;
   const double reach = 0.5 * slice.normal.normalized().cwiseAbs().dot(panel.input.high - panel.input.low);
-  number_field_row(
-      panel,
-      {.tag = "view/slice_offset", .label = "Offset", .numbers = range_of<SlicePlane>("offset"), .beside = reach},
-      slice.offset);
+  number_field_row(panel,
+                   {.tag = "view/slice_offset",
+                    .label = "Offset",
+                    .numbers = range_of<SlicePlane>("offset"),
+                    .vector_magnitude = reach},
+                   slice.offset);
 }
 
 void element_rows(Panel& panel) {
-  open_if_wanted(panel, "view/element_rows");
+  open_if_sought(panel, "view/element_rows");
   const bool open = ImGui::CollapsingHeader("Elements and slice");
   tag_last_item(panel.tags, "view/element_rows", open ? "open" : "closed");
   if (!open) return;
@@ -153,17 +155,17 @@ void layer_rows(Panel& panel) {
     tag_last_item(panel.tags, "view/layers", text);
   }
   if (count == 0) return;
-  view_row(panel, "glyph_scale", "Size of signs", panel.state.view.glyph_scale);
+  view_row(panel, "glyph_scale", "Glyph size", panel.state.view.glyph_scale);
   if (!shows_layer(panel.state.view, ViewLayer::fracture_planes)) return;
   number_field_row(panel,
                    {.tag = "view/fracture_planes",
-                    .label = "Planes of last",
+                    .label = "Crack planes",
                     .numbers = range_of<ViewSettings>("fracture_planes"),
-                    .tooltip = "Of how many cracks the plane is shown, newest first."},
+                    .tooltip = "Number of cracks whose planes are shown, newest first."},
                    panel.state.view.fracture_planes);
 }
 
-/// Whether a view shows tetrahedra, not splinters, shards or surfaces of files: values belong to tetrahedra.
+/// True if a view shows tetrahedra rather than splinters, shards or surface files: values belong to tetrahedra.
 bool shows_tets(const ViewSettings& view) {
   if (!view.splinters || view.quantity == "tet" || view.elements != ElementStyle::surface) return true;
   const auto quantity = std::ranges::find(view_quantities(), view.quantity, &ViewQuantity::key);
@@ -173,7 +175,7 @@ bool shows_tets(const ViewSettings& view) {
 void edges_row(Panel& panel) {
   checkbox(panel, "view/edges", "Element edges", panel.state.view.edges);
   if (panel.state.view.edges && !shows_tets(panel.state.view))
-    hint(panel, "None over splinters, shards and surfaces of files.");
+    hint(panel, "Not shown on splinters, shards and surface files.");
 }
 
 }  // namespace
@@ -185,9 +187,9 @@ void draw_view_panel(Panel& panel) {
   range_part(panel);
   quality_row(panel);
   checkbox(panel, "view/shading", "Shading", panel.state.view.shading);
-  tooltip("Without, a pixel has exactly the colour that the legend gives to its value.");
+  tooltip("Without shading, pixels have exactly the colors of the legend.");
   checkbox(panel, "view/dust", "Dust and crumbs", panel.state.view.dust);
-  tooltip("What cracks throw out, in natural colours: an effect, of which the simulation knows nothing.");
+  tooltip("Debris of cracks in natural colors: a visual effect that does not affect the simulation.");
   edges_row(panel);
   checkbox(panel, "view/splinters", "Splinters and surfaces", panel.state.view.splinters);
   layer_rows(panel);

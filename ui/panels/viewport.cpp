@@ -44,7 +44,7 @@ void mouse_input(Panel& panel) {
   const ImGuiIO& io = ImGui::GetIO();
   const float slack = kClickSlack * ui_scale(panel);
   const bool hovered = ImGui::IsItemHovered();
-  // The way to where the button went down is no drag, though a slow frame sees both at once.
+  // Motion to the point where the button went down is no drag, though a slow frame sees both at once.
   if (ImGui::IsItemActive() && !ImGui::IsItemActivated()) move_camera(state, io);
   const float notches = state.preferences.invert_zoom ? -io.MouseWheel : io.MouseWheel;
   if (hovered && notches != 0) state.camera_motion.zoom *= std::pow(kZoomPerNotch, notches);
@@ -55,7 +55,7 @@ void mouse_input(Panel& panel) {
   if (clicked) issue(panel, {.id = CommandId::pick, .cursor = cursor});
 }
 
-/// A dark rounded card to write on.
+/// Draws a dark rounded card behind text.
 void draw_card(ImDrawList* list, ImVec2 low, ImVec2 high, float scale) {
   list->AddRectFilled(low, high, IM_COL32(24, 27, 32, 200), 6 * scale);
 }
@@ -64,12 +64,11 @@ void draw_hints(const Panel& panel, ImVec2 corner, ImVec2 end) {
   const Fonts& fonts = panel.input.fonts;
   const float scale = ui_scale(panel), size = fonts.small->FontSize, margin = 14 * scale;
   std::string text =
-      "drag: orbit      shift+drag: pan      wheel: zoom      click: inspect      right click: fire, hold it: aim";
-  if (panel.state.gizmo_drag || panel.state.region_drag) text = "ctrl: round steps      esc: leave it as it was";
-  if (panel.state.paint_regions)
-    text = "drag over the body: paint      ctrl: take off      beside it: turn      T: done";
-  if (panel.state.aimed_at) text = "let go: fire      esc: leave it";
-  if (panel.state.show_gizmo && panel.input.frame.step > 0) text += "      R: back to the start, to move the body";
+      "drag: orbit      shift+drag: pan      wheel: zoom      click: inspect      right click: fire (hold: aim)";
+  if (panel.state.gizmo_drag || panel.state.region_drag) text = "ctrl: snap      esc: cancel";
+  if (panel.state.paint_regions) text = "drag on the body: paint      ctrl: erase      elsewhere: orbit      T: done";
+  if (panel.state.aimed_at) text = "release: fire      esc: cancel";
+  if (panel.state.show_gizmo && panel.input.frame.step > 0) text += "      R: reset, to move bodies";
   if (panel.state.view.slice) text += "      ctrl+drag: move the slice";
   const float width = fonts.small->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x + 24 * scale;
   if (end.x - corner.x < width + 2 * margin) return;
@@ -89,7 +88,7 @@ void draw_pause_mark(const Panel& panel, ImVec2 corner) {
   list->AddText({low.x + 34 * scale, (low.y + high.y - ImGui::GetFontSize()) / 2}, palette::kText, "Paused");
 }
 
-/// Why the simulation stopped by itself, and what may be asked then.
+/// Shows the reason why the simulation stopped by itself, with the search for the value that would have held.
 void draw_stop_card(Panel& panel, ImVec2 corner, ImVec2 end) {
   if (!panel.state.stop) return;
   const std::string& reason = panel.state.stop->reason;

@@ -11,16 +11,16 @@ struct Box {
   ImVec2 low, high;
 };
 
-/// Where text about an item stands: beside the item's window, where one side of it has room, else below or above the
-/// item; on the screen, and never over the item.
+/// Placement of text about an item: beside the item's window if a side has room, else below or above the item; on the
+/// screen, and never over the item.
 class BubblePlace {
  public:
   /// `em`: font size. `screen`: its lower right corner.
   BubblePlace(const Box& item, const Box& window, ImVec2 screen, float em);
 
-  /// Most that the text may be wide.
+  /// Largest width of the text.
   float text_width() const { return text_width_; }
-  /// Box of the whole bubble, for a text of that size.
+  /// Returns the box of the bubble for a text of that size.
   Box box(ImVec2 text_size) const;
   /// Distance between the bubble's border and its text.
   float padding() const { return em_ / 2; }
@@ -32,7 +32,7 @@ class BubblePlace {
   bool to_the_right_ = false, beside_ = false;
 };
 
-/// Draws text beside the last item, over everything else, with a border of that colour.
+/// Draws text beside the last item, over everything else, with a border of that color.
 void draw_bubble(std::string_view text, ImU32 border);
 
 /// Shows `text` beside the last item while the mouse rests on it.

@@ -7,7 +7,7 @@
 
 namespace griffith::ui {
 
-/// The archive for describe() that finds the values which a number of a scene takes.
+/// Archive for describe() that finds the accepted range of a number.
 struct RangeFinder {
   std::string_view wanted;
   Numbers found = {};
@@ -23,7 +23,7 @@ struct RangeFinder {
   void require(bool, std::string_view, const char*, const char*) {}
 };
 
-/// What a scene file takes for the field `name` of a T, so that panels take the same.
+/// Returns the range that scene files accept for the field `name` of a T, so that panels accept the same.
 template <class T>
 Numbers range_of(std::string_view name) {
   T value;

@@ -17,15 +17,15 @@
 
 namespace griffith::ui {
 
-/// An archive for describe() that draws a row for each field of a part of a scene and edits it, so that the panels have
-/// every field that a scene file has, with its unit, its limits and its meaning.
+/// Archive for describe() that draws a row for each field of a part of a scene and edits it. The panels thus have every
+/// field of scene files, with unit, limits and meaning.
 class FieldRows {
  public:
-  /// Tags begin with `tag`; fields named in `hidden` get no row.
+  /// `tag`: prefix of tags. Fields named in `hidden` get no row.
   FieldRows(Panel& panel, std::string tag, std::vector<std::string_view> hidden = {})
       : panel_(panel), tag_(std::move(tag)), units_{tag_, panel.state.number}, hidden_(std::move(hidden)) {}
 
-  /// The rows of all fields of `value`, which is edited.
+  /// Draws the rows of all fields of `value` and edits them.
   template <class T>
   void show(T& value) {
     describe(units_, value);
@@ -55,26 +55,26 @@ class FieldRows {
     }
   }
 
-  void require(bool, std::string_view, const char*, const char*) {}  // asked for at the end: see Rules
+  void require(bool, std::string_view, const char*, const char*) {}  // checked at the end: see Rules
 
-  /// What was done in this frame: nothing has changed where the result would break a rule, which the panel then says.
+  /// Returns the edit of this frame. An edit that would break a rule is rejected, and the panel shows the rule.
   Edit finish() {
     if (edit_.changed && !problem_.empty()) panel_.state.field_note = {edited_tag_, problem_};
     if (!problem_.empty()) edit_.changed = false;
     return edit_;
   }
-  /// The label of the field that was edited.
+  /// Returns the label of the edited field.
   const std::string& edited() const { return edited_; }
 
  private:
-  /// The unit of all vectors that take the same numbers, as position and target of a camera do.
+  /// Common unit of all vectors with the same numbers, such as position and target of a camera.
   struct SharedUnit {
     Numbers numbers;
-    double largest = 0;   ///< of their components
-    bool edited = false;  ///< one of them is
+    double largest = 0;   ///< largest of their components
+    bool edited = false;  ///< true if one of them is being edited
   };
 
-  /// The archive that finds these units.
+  /// Archive that finds these units.
   struct SharedUnits {
     std::string tag;
     const NumberEdit& edit;
@@ -106,7 +106,7 @@ class FieldRows {
     }
   };
 
-  /// The archive that looks for the first rule that a value breaks.
+  /// Archive that finds the first rule broken by a value.
   struct Rules {
     std::string problem;
     template <class... Anything>
@@ -128,7 +128,7 @@ class FieldRows {
     edit_.finished |= edit.finished;
   }
 
-  /// Rows of a value that has fields of its own, as a part of this one.
+  /// Draws the rows of a value with fields of its own, as a section.
   template <class T>
   void draw_fields(const std::string& tag, T& value) {
     FieldRows rows(panel_, tag, idle_fields(value));
@@ -153,7 +153,7 @@ class FieldRows {
     const SiPrefix prefix = shared_prefix(panel_.state, row.tag + "/", largest, unit_symbol(numbers));
     for (std::size_t i = 0; i < points.size(); ++i)
       draw({row.tag + "/" + std::to_string(i), "Number " + std::to_string(i + 1), ""}, points[i], numbers, prefix);
-    const bool removed = text_button(panel_, (row.tag + "/remove").c_str(), ("Remove the last##" + row.tag).c_str());
+    const bool removed = text_button(panel_, (row.tag + "/remove").c_str(), ("Remove last##" + row.tag).c_str());
     const bool added = text_button(panel_, (row.tag + "/add").c_str(), ("Add##" + row.tag).c_str());
     if (removed && !points.empty()) points.pop_back();
     if (added) points.push_back(points.empty() ? Vec3(Vec3::Zero()) : Vec3(points.back()));
@@ -171,7 +171,7 @@ class FieldRows {
     Edit edit = draw_field(panel_, row, numbers, std::span<double>(wanted.data(), N), prefix);
     const FieldRow first{row.tag + "/0", row.label, row.description};
     if (edit.changed && numbers.nonzero && wanted.isZero(0)) {
-      panel_.state.field_note = {first.tag, "Not all components can be 0: it stays as it was."};
+      panel_.state.field_note = {first.tag, "Not all components can be 0; it was not changed."};
       edit.changed = false;
     }
     if (edit.changed) vector = wanted;
@@ -184,7 +184,7 @@ class FieldRows {
   void draw(const FieldRow& row, std::filesystem::path& value, const MeshPath&) {
     note(row, draw_field(panel_, row, panel_.history.scene().folder, value));
   }
-  // Have panels of their own.
+  // These have panels of their own.
   void draw(const FieldRow&, Material&, MaterialChoice) {}
   void draw(const FieldRow&, ViewSettings&, Parts) {}
 
@@ -229,7 +229,7 @@ class FieldRows {
     end_part();
   }
 
-  // The outliner lists them.
+  // The outliner lists these.
   template <class T>
   void draw(const FieldRow&, std::vector<T>&, Parts) {}
 
@@ -240,7 +240,7 @@ class FieldRows {
     end_part();
   }
 
-  /// The names of what a variant may hold, for those that need no file to begin with.
+  /// Names of the alternatives of a variant that need no file.
   struct Kinds {
     std::vector<std::string_view> names;
     std::vector<std::function<void()>> hold;
@@ -268,7 +268,7 @@ class FieldRows {
     if (edit.changed) kinds.hold[static_cast<std::size_t>(chosen)]();
   }
 
-  /// What a number that was absent begins with: 1, or the middle of its orders of magnitude.
+  /// Initial value of a number that was absent: 1, or the geometric mean of its limits.
   static double first_value(const Numbers& numbers) {
     if (numbers.minimum <= 0) return std::clamp(1.0, numbers.minimum, numbers.maximum);
     return std::sqrt(numbers.minimum * numbers.maximum);

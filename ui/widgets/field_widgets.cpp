@@ -18,15 +18,15 @@ NumberField number_field_of(const FieldRow& row, const Numbers& numbers) {
   return {.tag = row.tag, .label = row.label, .numbers = numbers, .tooltip = row.description};
 }
 
-/// "Size [mm]": what a row of several numbers is, and in which unit.
+/// Returns the label of a row of several numbers with their unit: "Size [mm]".
 std::string label_with_unit(const FieldRow& row, const SiPrefix& prefix, const Numbers& numbers) {
   const std::string unit = std::string(prefix.symbol) + std::string(unit_symbol(numbers));
   const std::string label = row.label.substr(0, row.label.find(" degrees"));
   return unit.empty() ? label : label + " [" + unit + "]";
 }
 
-/// A text box over the rest of the row; `finished` when it was left, or Enter pressed. A right click begins to type, as
-/// in fields of numbers.
+/// Draws a text box over the rest of the row; `finished` when it loses the focus or Enter is pressed. A right click
+/// begins to type, as in number fields.
 Edit text_box(Panel& panel, const FieldRow& row, std::string& value, ImGuiInputTextFlags flags = 0) {
   std::string text = value;
   const bool entered = ImGui::InputText(("##" + row.tag).c_str(), &text, flags | ImGuiInputTextFlags_AutoSelectAll);
@@ -40,7 +40,7 @@ Edit text_box(Panel& panel, const FieldRow& row, std::string& value, ImGuiInputT
   return edit;
 }
 
-/// Numbers between commas and spaces; nothing where there is anything else.
+/// Parses integers separated by commas and spaces; empty if the text contains anything else.
 std::optional<std::vector<int>> parse_list(const std::string& text, const Numbers& numbers) {
   std::vector<int> values;
   const char *at = text.data(), *end = at + text.size();
@@ -82,7 +82,8 @@ Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, std::
   NumberField field = number_field_of(row, numbers);
   field.prefix = prefix;
   field.names_unit = false;
-  for (const double component : components) field.beside = std::max(field.beside, std::abs(component));
+  for (const double component : components)
+    field.vector_magnitude = std::max(field.vector_magnitude, std::abs(component));
   Edit edit;
   for (std::size_t i = 0; i < components.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, gap);
@@ -102,8 +103,8 @@ Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, std::
   if (!typed.changed) return {};
   std::optional<std::vector<int>> parsed = parse_list(text, numbers);
   if (!parsed) {
-    panel.state.field_note = {row.tag, "\"" + text + "\" is not a list of whole numbers, each " + range_text(numbers) +
-                                           ", with commas between them."};
+    panel.state.field_note = {
+        row.tag, "\"" + text + "\" is not a list of integers, each " + range_text(numbers) + ", separated by commas."};
     return {};
   }
   const bool changed = *parsed != values;
@@ -183,7 +184,7 @@ Edit draw_presence(Panel& panel, const FieldRow& row, bool& present) {
 }
 
 bool begin_part(Panel& panel, const FieldRow& row, const std::string& summary) {
-  open_if_wanted(panel, row.tag);
+  open_if_sought(panel, row.tag);
   const bool open = ImGui::TreeNodeEx(row.tag.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth, "%s", row.label.c_str());
   tag_last_item(panel.tags, row.tag, open ? "open" : "closed");
   field_tooltip(panel, row.tag, row.description);

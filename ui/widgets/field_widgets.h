@@ -12,38 +12,38 @@
 
 namespace griffith::ui {
 
-/// Where a field of the scene is shown, and what it means.
+/// Tag and texts of a field of the scene.
 struct FieldRow {
   std::string tag;          ///< "body/position"
   std::string label;        ///< "Position"
-  std::string description;  ///< for the tooltip
+  std::string description;  ///< text of the tooltip
 };
 
-/// "point_force" as "point force", and as the label "Point force".
+/// Replaces underscores: "point_force" becomes "point force", or "Point force" as a label.
 std::string words_of(std::string_view name);
 std::string label_of(std::string_view name);
 
-// A row each. They keep values within what the field takes; what they are given may lie beyond.
+// Each draws a row. The result is within the accepted range even if the given value is not.
 
 Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, double& value);
 Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, int& value);
-/// The components side by side, each as a number; the label names the unit of all, which has that prefix.
+/// Draws the components side by side, each as a number; the label names their common unit, which has that prefix.
 Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, std::span<double> components,
                 const SiPrefix& prefix);
-/// Whole numbers between commas.
+/// Draws integers separated by commas.
 Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, std::vector<int>& values);
 Edit draw_field(Panel& panel, const FieldRow& row, Flag, bool& value);
 Edit draw_field(Panel& panel, const FieldRow& row, const Text& text, std::string& value);
-/// Taken with Enter, if the file exists; relative paths start at `folder`.
+/// Draws a file name, accepted with Enter if the file exists; relative paths start at `folder`.
 Edit draw_field(Panel& panel, const FieldRow& row, const std::filesystem::path& folder, std::filesystem::path& value);
-/// `value`: which of the names.
+/// Draws a list. `value`: index of the name.
 Edit draw_choice(Panel& panel, const FieldRow& row, const OneOf& one_of, int& value);
-/// A check box for each of the names; `chosen`: which are checked, in the order in which they were.
+/// Draws a check box for each of the names. `chosen`: indices of the checked ones, in their order.
 Edit draw_choices(Panel& panel, const FieldRow& row, const OneOf& one_of, std::vector<int>& chosen);
-/// A check box "on" for what may be absent.
+/// Draws a check box "on" for an optional part.
 Edit draw_presence(Panel& panel, const FieldRow& row, bool& present);
 
-/// Opens a part with fields of its own, tagged; to be closed by end_part() when it says true.
+/// Begins a foldable section with fields of its own, tagged. If true, close it with end_part().
 bool begin_part(Panel& panel, const FieldRow& row, const std::string& summary);
 void end_part();
 

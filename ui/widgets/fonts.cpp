@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-// The font files become part of the program, so that it looks the same everywhere and needs no file at run time.
+// The font files are embedded in the program, so that it looks the same everywhere and needs no file at run time.
 #define EMBED_FILE(symbol, path)                                                                 \
   __asm__(".pushsection .rodata\n.balign 16\n" #symbol "_begin:\n.incbin \"" path "\"\n" #symbol \
           "_end:\n.byte 0\n.popsection\n.global " #symbol "_begin\n.global " #symbol "_end\n");  \
@@ -23,7 +23,7 @@ constexpr std::array<ImWchar, 15> kGlyphRanges = {0x20,   0xff,   0x370,  0x3ff,
 
 ImFont* add_font(const unsigned char* begin, const unsigned char* end, float pixels) {
   ImFontConfig config;
-  config.FontDataOwnedByAtlas = false;  // it lies in the program itself
+  config.FontDataOwnedByAtlas = false;  // the data is part of the program
   config.OversampleH = 2;
   return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(const_cast<unsigned char*>(begin), static_cast<int>(end - begin),
                                                     std::round(pixels), &config, kGlyphRanges.data());

@@ -4,7 +4,7 @@ struct ImFont;
 
 namespace griffith::ui {
 
-/// The program's typefaces, at the pixel size of the screen's scale.
+/// Typefaces of the program, at the pixel size of the screen's scale.
 struct Fonts {
   ImFont* regular = nullptr;
   ImFont* bold = nullptr;   ///< headings
@@ -14,7 +14,7 @@ struct Fonts {
 /// Height of the small typeface in design pixels.
 inline constexpr float kSmallText = 14;
 
-/// Adds the fonts built into the program to the current ImGui context. `scale`: screen pixels per design pixel.
+/// Adds the embedded fonts to the current ImGui context. `scale`: screen pixels per design pixel.
 Fonts load_fonts(float scale);
 
 }  // namespace griffith::ui

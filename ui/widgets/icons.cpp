@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kPi = 3.14159265f;
 
-/// Draws in a square from -1 to 1, y downwards.
+/// Draws in a square from -1 to 1, y downward.
 class Pen {
  public:
   Pen(ImDrawList* list, ImVec2 center, float size, ImU32 color)
@@ -47,7 +47,7 @@ class Pen {
   ImU32 color_;
 };
 
-/// Three quarters of a circle with an arrow head; `side` -1 turns left, 1 right.
+/// Draws three quarters of a circle with an arrowhead; `side` -1 turns left, 1 right.
 void draw_turn(const Pen& pen, float side) {
   if (side < 0) {
     pen.arc(0.75f, -0.75f * kPi, 0.8f * kPi);
@@ -84,7 +84,7 @@ void draw_eye(const Pen& pen, bool open) {
   if (open) pen.disc(0, 0, 0.3f);
 }
 
-/// A box seen from its corner.
+/// Draws a box in perspective.
 void draw_box(const Pen& pen) {
   pen.frame(-0.8f, -0.35f, 0.35f, 0.8f);
   pen.line(-0.8f, -0.35f, -0.35f, -0.8f);
@@ -94,7 +94,7 @@ void draw_box(const Pen& pen) {
   pen.line(0.8f, 0.35f, 0.35f, 0.8f);
 }
 
-/// What each icon looks like; none for Icon::none.
+/// Drawing of each icon; none for Icon::none.
 using Drawing = std::pair<Icon, void (*)(const Pen& pen)>;
 constexpr Drawing kDrawings[] = {
     {Icon::play,

@@ -7,7 +7,7 @@
 
 namespace griffith::ui {
 
-/// Fields that mean nothing for a support or load of its kind.
+/// Fields of a support or load that its kind does not use.
 inline std::vector<std::string_view> idle_fields(const Support& support) {
   if (support.kind == SupportKind::sliding) return {"velocity", "stop"};
   if (support.kind == SupportKind::prescribed) return {"normal"};
@@ -23,7 +23,7 @@ std::vector<std::string_view> idle_fields(const T&) {
   return {};
 }
 
-/// Takes what belongs to another kind out of a support or load.
+/// Resets the fields of a support or load that its kind does not use.
 inline void drop_idle_fields(Support& support) {
   const Support of_none;
   if (support.kind != SupportKind::sliding) support.normal = of_none.normal;

@@ -9,14 +9,14 @@
 
 namespace griffith::ui {
 
-/// A few words at a place of a picture.
+/// A short text at a point of a picture.
 struct PictureLabel {
-  float x = 0, y = 0;  ///< shares of the picture's width and height, from its top left corner
+  float x = 0, y = 0;  ///< fractions of the picture's width and height, from its top left corner
   std::string text;
-  float rise = 0;  ///< how far its middle is above the place [heights of a line]
+  float rise = 0;  ///< height of its center above the point [heights of a line]
 };
 
-/// Writes labels over the picture that fills the rectangle. `scale`: screen pixels per design pixel.
+/// Draws labels over the picture in the rectangle. `scale`: screen pixels per design pixel.
 void draw_labels(ImDrawList* list, const std::vector<PictureLabel>& labels, const Fonts& fonts, ImVec2 minimum,
                  ImVec2 maximum, float scale);
 

@@ -11,9 +11,9 @@ namespace griffith::ui {
 namespace {
 
 constexpr float kLowest = 90;   // height of a card, in design pixels
-constexpr float kPadding = 12;  // design pixels between the card's edge and what is on it
+constexpr float kPadding = 12;  // design pixels between the card's edge and its content
 
-/// 1, 2, 2.5 or 5 times a power of ten, at least `wanted`.
+/// Returns 1, 2, 2.5 or 5 times a power of ten, at least `wanted`.
 double tick_step(double wanted) {
   const double power = std::pow(10, std::floor(std::log10(wanted)));
   for (const double factor : {1.0, 2.0, 2.5, 5.0}) {
@@ -48,7 +48,8 @@ void draw_color_bar(ImDrawList* list, const Legend& legend, ImVec2 minimum, ImVe
   }
 }
 
-/// Bars that grow leftwards from the colours whose values they count; by the square root, so that rare ones show.
+/// Draws bars that extend left from the colors whose values they count, with the square root of the count so that rare
+/// values show.
 void draw_histogram(ImDrawList* list, const Legend& legend, ImVec2 minimum, ImVec2 maximum) {
   const int highest =
       legend.histogram.empty() ? 0 : *std::max_element(legend.histogram.begin(), legend.histogram.end());
@@ -63,12 +64,12 @@ void draw_histogram(ImDrawList* list, const Legend& legend, ImVec2 minimum, ImVe
   }
 }
 
-/// A sample of the colour that stands for no number.
+/// Draws a sample of the color for values that are not numbers.
 void draw_nan_sample(ImDrawList* list, const Legend& legend, const Fonts& fonts, ImVec2 corner, float scale) {
   const auto& color = *legend.nan_color;
   const float size = kSmallText * scale;
   list->AddRectFilled(corner, {corner.x + 18 * scale, corner.y + size}, IM_COL32(color[0], color[1], color[2], 255));
-  list->AddText(fonts.small, size, {corner.x + 28 * scale, corner.y}, palette::kText, "no number");
+  list->AddText(fonts.small, size, {corner.x + 28 * scale, corner.y}, palette::kText, "not a number");
 }
 
 void draw_ticks(ImDrawList* list, const Legend& legend, const Fonts& fonts, ImVec2 minimum, ImVec2 maximum,
@@ -89,11 +90,11 @@ void draw_ticks(ImDrawList* list, const Legend& legend, const Fonts& fonts, ImVe
 
 std::string written_title(const Legend& legend) { return legend_title(legend) + (legend.locked ? "  locked" : ""); }
 
-constexpr float kPlainWidth = 110;  ///< of a card without a histogram [design pixels]
+constexpr float kPlainWidth = 110;  ///< width of a card without a histogram [design pixels]
 
-/// Width of the histogram, which small pictures go without.
+/// Width of the histogram, which small pictures omit.
 float bars_width(const Legend& legend, const ScreenArea& picture, float scale) {
-  constexpr float kBars = 44, kMostOfPicture = 0.375f;  // design pixels; of the picture's width
+  constexpr float kBars = 44, kMostOfPicture = 0.375f;  // design pixels; fraction of the picture's width
   const bool fits = (kPlainWidth + kBars) * scale <= kMostOfPicture * (picture.maximum.x - picture.minimum.x);
   return legend.histogram.empty() || !fits ? 0 : kBars * scale;
 }
@@ -107,7 +108,7 @@ std::vector<double> legend_ticks(double minimum, double maximum, double count) {
   std::vector<double> ticks;
   for (double i = first; i <= last && ticks.size() < 1000; ++i) ticks.push_back(i * step);
   if (ticks.size() > 1 || count >= kFinest) return ticks;
-  ticks = legend_ticks(minimum, maximum, kFinest);  // one number tells no scale: near both ends
+  ticks = legend_ticks(minimum, maximum, kFinest);  // one number gives no scale: ticks near both ends
   return {ticks.front(), ticks.back()};
 }
 
@@ -129,7 +130,7 @@ bool legend_fits(const ScreenArea& picture, float scale) {
 
 ScreenArea legend_card(const Legend& legend, LegendCorner corner, const Fonts& fonts, const ScreenArea& picture,
                        float scale) {
-  constexpr float kMargin = 14, kOtherCards = 40;  // design pixels; the others: marks and hints in the editor's view
+  constexpr float kMargin = 14, kOtherCards = 40;  // design pixels; the other cards are hints in the editor's view
   const float text_width = fonts.small->CalcTextSizeA(kSmallText * scale, FLT_MAX, 0, written_title(legend).c_str()).x;
   const ImVec2 size = {
       std::max(text_width + 2 * kPadding * scale, kPlainWidth * scale + bars_width(legend, picture, scale)),

@@ -16,7 +16,7 @@ namespace {
 
 using Kind = NumberEdit::Kind;
 
-/// A number field as it stands in this frame.
+/// Layout of a number field in this frame.
 struct Place {
   ImRect box;
   ImGuiID id = 0;
@@ -24,7 +24,7 @@ struct Place {
 
 std::string_view unit_of(const NumberField& field) { return unit_symbol(field.numbers); }
 
-/// "mm", or "" for a ratio.
+/// Returns the shown unit: "mm", or "" for a ratio.
 std::string shown_unit(const NumberField& field, const SiPrefix& prefix) {
   return std::string(prefix.symbol).append(unit_of(field));
 }
@@ -34,7 +34,7 @@ SiPrefix prefix_of(const NumberEdit& edit, const NumberField& field, double valu
   return field.prefix.value_or(si_prefix(value, unit_of(field)));
 }
 
-/// The number with as many digits as there is room for, and its unit where no row names it.
+/// Formats the number with as many digits as fit, and its unit unless the row names it.
 std::string shown_text(const NumberField& field, double value, const SiPrefix& prefix, float width) {
   if (field.whole) return std::to_string(std::llround(value));
   if (field.names_unit) return format_quantity(value, unit_of(field), prefix);
@@ -51,7 +51,7 @@ void begin_edit(NumberEdit& edit, Kind kind, const NumberField& field, double va
   edit = {.kind = kind, .tag = field.tag, .start = value, .prefix = prefix, .drawn_frame = ImGui::GetFrameCount()};
 }
 
-/// The item takes the keyboard in this frame, as ImGui's own number fields do when they turn into text.
+/// Gives the item the keyboard focus in this frame, as ImGui's own number fields do when they turn into text.
 void begin_typing(NumberEdit& edit, const NumberField& field, double value, ImGuiID id) {
   begin_edit(edit, Kind::typed, field, value);
   edit.opened_text = exact_number(value, edit.prefix);
@@ -64,27 +64,27 @@ void begin_typing(NumberEdit& edit, const NumberField& field, double value, ImGu
   context.NavActivateFlags = ImGuiActivateFlags_PreferInput;
 }
 
-/// The typed text as a number; else the problem with it.
+/// Parses the typed text; else sets the problem.
 std::optional<double> read_typed(const NumberEdit& edit, const NumberField& field, std::string& problem) {
   const std::string text = edit.text.data(), unit = shown_unit(field, edit.prefix);
   const std::optional<double> parsed = parse_quantity(text, unit_of(field), edit.prefix);
   if (parsed && (!field.whole || *parsed == std::round(*parsed))) return parsed;
-  problem = "\"" + text + "\" is not a " + (field.whole ? "whole number" : "number") +
-            (unit.empty() ? "" : " of " + unit) + ". " + range_text_with_prefix(field.numbers) + " is possible.";
+  problem = "\"" + text + "\" is not a " + (field.whole ? "integer" : "number") + (unit.empty() ? "" : " of " + unit) +
+            ". Allowed: " + range_text_with_prefix(field.numbers) + ".";
   return std::nullopt;
 }
 
-/// What the text would be taken for: "= 100 mm".
+/// Returns the value that the text would give: "= 100 mm".
 std::string meaning(const NumberEdit& edit, const NumberField& field) {
   std::string problem;
   const std::optional<double> parsed = read_typed(edit, field, problem);
   if (!parsed) return problem;
   const double taken = std::clamp(*parsed, field.numbers.minimum, field.numbers.maximum);
   const std::string shown = "= " + with_unit(exact_number(taken, edit.prefix), unit_of(field), edit.prefix);
-  return taken == *parsed ? shown : shown + ": " + range_text_with_prefix(field.numbers) + " is possible.";
+  return taken == *parsed ? shown : shown + ". Allowed: " + range_text_with_prefix(field.numbers) + ".";
 }
 
-/// Takes what was typed; a note tells what is not taken for what it was.
+/// Applies the typed text; a note reports a value that was rejected or clamped.
 Edit take_typed(Panel& panel, const NumberField& field, double& value) {
   const NumberEdit edit = std::exchange(panel.state.number, {});
   if (edit.text.data() == edit.opened_text) return {};
@@ -92,7 +92,7 @@ Edit take_typed(Panel& panel, const NumberField& field, double& value) {
   std::string problem;
   const std::optional<double> parsed = read_typed(edit, field, problem);
   if (!parsed) {
-    panel.state.field_note = {field.tag, problem + " The value stays."};
+    panel.state.field_note = {field.tag, problem + " The value was not changed."};
     return {};
   }
   const double wanted = std::clamp(*parsed, field.numbers.minimum, field.numbers.maximum);
@@ -102,10 +102,10 @@ Edit take_typed(Panel& panel, const NumberField& field, double& value) {
   return {changed, changed};
 }
 
-/// Chooses the whole text again where the second click of a double click lands in it.
+/// Selects the whole text again at the second click of a double click.
 void choose_all_on_double_click(const NumberEdit& edit, const Place& place) {
   constexpr double kLongest = 0.6;  // [s]
-  constexpr int kFrames = 6;        // where frames take long, clicks come as late as they
+  constexpr int kFrames = 6;        // slow frames see clicks late
   const bool soon =
       ImGui::GetTime() - edit.opened_time < kLongest || ImGui::GetFrameCount() - edit.opened_frame <= kFrames;
   if (!soon || !ImGui::IsMouseClicked(0) || !place.box.Contains(ImGui::GetIO().MousePos)) return;
@@ -115,7 +115,7 @@ void choose_all_on_double_click(const NumberEdit& edit, const Place& place) {
   }
 }
 
-/// The text box that stands in the number's place while a value is typed.
+/// Draws the text box that replaces the number while a value is typed.
 Edit typed_entry(Panel& panel, const NumberField& field, const Place& place, double& value) {
   NumberEdit& edit = panel.state.number;
   const bool entered = ImGui::TempInputText(place.box, place.id, ("##" + field.tag).c_str(), edit.text.data(),
@@ -146,7 +146,7 @@ void draw_number(const Place& place, const std::string& text, bool lit) {
   ImGui::RenderTextClipped(place.box.Min, place.box.Max, text.c_str(), nullptr, nullptr, {0.5f, 0.5f});
 }
 
-/// Where the mouse has led the number that it holds. Nothing happens until it has gone some way: that is a click still.
+/// Applies the motion of the mouse that holds the number. Nothing changes within the distance of a click.
 Edit drag_on(Panel& panel, const NumberField& field, double& value) {
   NumberEdit& edit = panel.state.number;
   const ImGuiIO& io = ImGui::GetIO();
@@ -162,7 +162,7 @@ Edit drag_on(Panel& panel, const NumberField& field, double& value) {
   const double wanted = dragged_number({.value = edit.start,
                                         .numbers = field.numbers,
                                         .whole = field.whole,
-                                        .beside = field.beside,
+                                        .vector_magnitude = field.vector_magnitude,
                                         .usual = field.usual},
                                        edit.moved, pace);
   const bool changed = wanted != value;
@@ -178,7 +178,7 @@ Edit revert_drag(NumberEdit& edit, double& value) {
   return {changed, true};
 }
 
-/// What the mouse does to a number that is not typed into.
+/// Handles the mouse over a number that is not typed into.
 Edit held_number(Panel& panel, const NumberField& field, const Place& place, double& value, bool& opens) {
   NumberEdit& edit = panel.state.number;
   bool hovered = false, held = false;
@@ -194,16 +194,16 @@ Edit held_number(Panel& panel, const NumberField& field, const Place& place, dou
   return {false, dragged};
 }
 
-/// An edit is over where its field is drawn no more.
+/// Ends an edit whose field is no longer drawn.
 void forget_undrawn(NumberEdit& edit) {
   if (edit.kind != Kind::none && ImGui::GetFrameCount() - edit.drawn_frame > 1) edit = {};
 }
 
-/// Tells at the label what the value was; whether it is to be that again.
+/// Shows the original value at the label. True if it is to be restored.
 bool offers_original(const NumberField& field) {
   if (!ImGui::IsItemHovered()) return false;
   const std::string original = format_quantity(*field.original, unit_of(field));
-  ImGui::SetTooltip("Was %s. Click to undo the change.", original.c_str());
+  ImGui::SetTooltip("Original: %s. Click to restore it.", original.c_str());
   return ImGui::IsMouseClicked(ImGuiMouseButton_Left);
 }
 
@@ -220,7 +220,7 @@ Edit number_field(Panel& panel, const NumberField& field, double& value) {
   Edit result;
   if (edit.is_of(field.tag) && edit.kind == Kind::typed) {
     if (ImGui::GetActiveID() == place.id) return typed_entry(panel, field, place, value);
-    result = take_typed(panel, field, value);  // something else took the keyboard
+    result = take_typed(panel, field, value);  // another item took the keyboard focus
   }
   bool opens = ImGui::GetCurrentContext()->NavActivateInputId == place.id;
   if (!opens && seen) {

@@ -13,13 +13,13 @@ CommandContext context_of(const Panel& panel) {
 
 }  // namespace
 
-std::string_view why_not(const CommandInfo& info, const Panel& panel) {
-  return info.why_not ? info.why_not(context_of(panel)) : std::string_view();
+std::string_view disabled_reason(const CommandInfo& info, const Panel& panel) {
+  return info.disabled_reason ? info.disabled_reason(context_of(panel)) : std::string_view();
 }
 
 bool is_on(const CommandInfo& info, const Panel& panel) { return info.is_on && info.is_on(context_of(panel)); }
 
-bool command_enabled(CommandId id, const Panel& panel) { return why_not(command_info(id), panel).empty(); }
+bool command_enabled(CommandId id, const Panel& panel) { return disabled_reason(command_info(id), panel).empty(); }
 
 void issue(Panel& panel, Command command) { panel.commands.push_back(std::move(command)); }
 

@@ -14,10 +14,10 @@ namespace {
 
 constexpr float kAxisWidth = 58, kNamesHeight = 17, kStripMargin = 5;  // design pixels
 
-/// Ticks are written with 0 added, or the one at 0 may read "-0".
+/// Converts a point to pixels.
 ImVec2 as_place(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
 
-/// Of the shown steps, in the full width of the item drawn last.
+/// Returns the view of the shown steps, in the full width of the item drawn last.
 PlotView view_in_item(const Panel& panel, const PlotRange& range) {
   const StepSpan steps = shown_steps(panel);
   const float scale = ui_scale(panel);
@@ -33,7 +33,7 @@ PlotView view_in_item(const Panel& panel, const PlotRange& range) {
           .logarithmic = panel.state.preferences.logarithmic_plots};
 }
 
-/// The unit in which the numbers of the axis are written: "kJ".
+/// Returns the unit of the numbers on the axis: "kJ".
 std::string axis_unit(const std::string& unit, const SiPrefix& prefix) {
   return unit == "-" ? "" : std::string(prefix.symbol) + unit;
 }
@@ -42,7 +42,7 @@ SiPrefix axis_prefix(const PlotRange& range, const std::string& unit) {
   return si_prefix(std::max(std::abs(range.low), std::abs(range.high)), unit);
 }
 
-/// A line across the field with its number before it.
+/// Draws a line across the field with its number before it.
 void draw_tick(const Panel& panel, const PlotView& view, double value, const std::string& text) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float scale = ui_scale(panel);
@@ -52,7 +52,7 @@ void draw_tick(const Panel& panel, const PlotView& view, double value, const std
   list->AddText({x, static_cast<float>(y) - kSmallText * scale / 2}, palette::kTextDim, text.c_str());
 }
 
-/// Numbers in the axis' unit; decades have prefixes of their own.
+/// Draws the numbers in the axis' unit; decades have prefixes of their own.
 void draw_axis(const Panel& panel, const PlotView& view, const std::string& unit, const SiPrefix& prefix) {
   const double text_height = 1.4 * static_cast<double>(kSmallText * ui_scale(panel));
   const double count = legend_tick_count(view.bottom - view.top, text_height), factor = prefix.factor;
@@ -65,10 +65,10 @@ void draw_axis(const Panel& panel, const PlotView& view, const std::string& unit
     draw_tick(panel, view, tick * factor, format_number(tick + 0.0, {}, 5));
 }
 
-/// A colour behind which another of its kind is seen.
+/// Returns a translucent color, through which another curve of its kind is visible.
 ImU32 paler(ImU32 color) { return (color & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 110); }
 
-/// A line through the columns, each as high as its values reach.
+/// Draws a line through the columns, each as high as the range of its values.
 void draw_curve(const Panel& panel, const PlotView& view, const RunCurve& curve, std::span<const double> times,
                 ImU32 color) {
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -82,7 +82,7 @@ void draw_curve(const Panel& panel, const PlotView& view, const RunCurve& curve,
   }
 }
 
-/// The unit and the names of the curves in their colours, above the field.
+/// Draws the unit and the names of the curves in their colors, above the field.
 void draw_names(const Panel& panel, const PlotView& view, const PlotStrip& strip, const std::string& unit) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float scale = ui_scale(panel), y = static_cast<float>(view.top) - kNamesHeight * scale;
@@ -95,14 +95,14 @@ void draw_names(const Panel& panel, const PlotView& view, const PlotStrip& strip
   }
 }
 
-/// Of a step beyond the ends nothing.
+/// Draws a vertical line at a step; nothing beyond the ends.
 void draw_step_line(const PlotView& view, std::int64_t step, ImU32 color, float width) {
   if (step < view.first_step || step > view.last_step) return;
   const double x = view.x(step);
   ImGui::GetWindowDrawList()->AddLine(as_place(x, view.top), as_place(x, view.bottom), color, width);
 }
 
-/// "Kinetic, Elastic [kJ]".
+/// Describes a strip: "Kinetic, Elastic [kJ]".
 std::string strip_text(const PlotStrip& strip, const std::string& unit) {
   std::string text;
   for (const RunCurve* curve : strip.curves) text += (text.empty() ? "" : ", ") + curve->series.label;
@@ -167,7 +167,7 @@ void draw_plot_times(Panel& panel) {
       const std::string text = format_quantity(tick + 0.0, "s", 5);
       const float width = ImGui::CalcTextSize(text.c_str()).x;
       const double x = view.left + (tick - span.start) / (span.end - span.start) * (view.right - view.left);
-      const float last = static_cast<float>(view.right) - width;  // the text at the end would be cut
+      const float last = static_cast<float>(view.right) - width;  // the text at the end would be cut off
       ImGui::GetWindowDrawList()->AddText({std::min(static_cast<float>(x) - width / 2, last), y}, palette::kTextDim,
                                           text.c_str());
     }

@@ -4,7 +4,7 @@
 
 namespace griffith::ui {
 
-/// The program's colours.
+/// Colors of the program.
 namespace palette {
 inline constexpr ImU32 kText = IM_COL32(226, 230, 235, 255);
 inline constexpr ImU32 kTextDim = IM_COL32(140, 149, 160, 255);
@@ -21,10 +21,10 @@ inline constexpr ImU32 kWarning = IM_COL32(240, 196, 83, 255);
 inline constexpr ImU32 kError = IM_COL32(235, 99, 92, 255);
 }  // namespace palette
 
-/// A colour as a style entry wants it.
+/// Converts a color to the type of style entries.
 ImVec4 as_vec4(ImU32 color);
 
-/// Gives the current ImGui context the program's look. `scale`: screen pixels per design pixel.
+/// Applies the program's style to the current ImGui context. `scale`: screen pixels per design pixel.
 void apply_style(float scale);
 
 }  // namespace griffith::ui

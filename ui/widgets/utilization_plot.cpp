@@ -14,7 +14,7 @@ ImU32 utilization_color(double utilization) {
   return utilization > 1 ? palette::kError : utilization > 0.8 ? palette::kWarning : palette::kGood;
 }
 
-/// A field as wide as the panel, tagged; its corners.
+/// Adds a tagged field as wide as the panel. Returns its corners.
 std::pair<ImVec2, ImVec2> field(Panel& panel, const char* tag, float design_height, const std::string& value) {
   const float width = ImGui::GetContentRegionAvail().x, height = design_height * ui_scale(panel);
   ImGui::Dummy({width, height});

@@ -7,7 +7,7 @@ namespace griffith::ui {
 /// Draws the past of a utilization over the full width: its limit 1 as a line, breaks as dots.
 void draw_utilization_plot(Panel& panel, std::span<const UtilizationSample> samples);
 
-/// A bar that is full at the limit.
+/// Draws a bar that is full at the limit.
 void draw_utilization_bar(Panel& panel, double utilization);
 
 }  // namespace griffith::ui

@@ -8,13 +8,13 @@
 
 namespace griffith::ui {
 
-/// Where a widget was drawn and what it showed, so that a test or a script can find and drive it.
+/// Position and content of a drawn widget, by which tests and scripts find and drive it.
 struct WidgetTag {
   std::string name;         ///< "material/young_modulus"
-  ImVec2 minimum, maximum;  ///< its rectangle on the screen [pixels]
-  std::string value;        ///< as shown
+  ImVec2 minimum, maximum;  ///< rectangle on the screen [pixels]
+  std::string value;        ///< shown value
   bool enabled = true;
-  ImU32 color = 0;  ///< of its text, where that says something
+  ImU32 color = 0;  ///< color of its text, if it has a meaning
 
   ImVec2 center() const { return {(minimum.x + maximum.x) / 2, (minimum.y + maximum.y) / 2}; }
 };
@@ -22,7 +22,7 @@ struct WidgetTag {
 /// The widgets of one drawn frame, in drawing order.
 using WidgetTags = std::vector<WidgetTag>;
 
-/// The tag of that name, or nullptr.
+/// Returns the tag of that name, or nullptr.
 inline const WidgetTag* find_tag(const WidgetTags& tags, std::string_view name) {
   for (const WidgetTag& tag : tags) {
     if (tag.name == name) return &tag;

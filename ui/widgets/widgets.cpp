@@ -77,7 +77,7 @@ void hint(const Panel& panel, const std::string& text) {
 
 namespace {
 
-/// Scrolls to the sought field, or what of it is shown: a part around it, or the first of its numbers.
+/// Scrolls to the sought field or its visible part: a section around it, or the first of its numbers.
 void scroll_if_sought(const Panel& panel, std::string_view tag) {
   EditorState& state = panel.state;
   if (!is_within(state.sought.tag + "/0", tag)) return;
@@ -121,7 +121,7 @@ void command_button(Panel& panel, CommandId id, Icon icon, bool with_label, bool
   ImGui::EndDisabled();
   std::string text(info.hint);
   if (info.shortcut.key != key::kNone) text.append("  (").append(shortcut_text(info.shortcut)).append(")");
-  if (!enabled) text.append("\n").append(why_not(info, panel));
+  if (!enabled) text.append("\n").append(disabled_reason(info, panel));
   tooltip(text);
 }
 
@@ -130,7 +130,7 @@ void command_menu_item(Panel& panel, const CommandInfo& info, const char* tag_pr
   const std::string label(info.label), shortcut = shortcut_text(info.shortcut);
   if (ImGui::MenuItem(label.c_str(), shortcut.c_str(), is_on(info, panel), enabled)) issue(panel, {.id = info.id});
   tag_last_item(panel.tags, tag_prefix + std::string(info.name), label, enabled);
-  tooltip(why_not(info, panel));
+  tooltip(disabled_reason(info, panel));
 }
 
 bool begin_combo(const char* item, const char* preview) {

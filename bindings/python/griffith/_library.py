@@ -64,7 +64,7 @@ def _load():
     problems = []
     for place in _candidates():
         if os.sep in place and not os.path.exists(place):
-            problems.append(f"{place}: not there")
+            problems.append(f"{place}: missing")
             continue
         try:
             return ctypes.CDLL(place)
@@ -80,7 +80,7 @@ _handle = ctypes.c_void_p
 _text = ctypes.c_char_p
 _out = ctypes.POINTER(ctypes.c_void_p)
 
-# Arguments of the functions that return a status; each has a griffith_error* behind them.
+# Arguments of the functions that return a status; each takes a griffith_error* as its last argument.
 _FUNCTIONS = {
     "scene_read": [_text, _out],
     "scene_parse": [_text, _text, _out],

@@ -2,12 +2,12 @@
 
 
 class Error(Exception):
-    """A call of the library failed. Says where, what is wrong there and what would be right.
+    """A failed call of the library, with place, problem and remedy.
 
     Attributes:
         where: the place: a file, file:line, file#/json/pointer, or the argument.
-        problem: what is wrong there.
-        remedy: what would be right; may be empty.
+        problem: description of the error.
+        remedy: correction; may be empty.
     """
 
     def __init__(self, where="", problem="", remedy=""):
@@ -21,7 +21,7 @@ class Error(Exception):
 
 
 class ArgumentError(Error, ValueError):
-    """An argument is out of range or of no known name."""
+    """An argument is out of range or an unknown name."""
 
 
 class InputError(Error, ValueError):
@@ -29,7 +29,7 @@ class InputError(Error, ValueError):
 
 
 class Cancelled(Error):
-    """The progress function asked to give up."""
+    """The progress function cancelled the work."""
 
 
 class LibraryNotFound(ImportError):

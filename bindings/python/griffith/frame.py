@@ -21,7 +21,7 @@ _SHORT_NAMES = {"tet_nodes": "tets", "tet_stress": "stress"}
 
 
 def _python_name(name):
-    """Drops "node_", so that frame.utilization is what it says."""
+    """Drops "node_", so that node arrays have short names: frame.utilization."""
     return _SHORT_NAMES.get(name, name[5:] if name.startswith("node_") else name)
 
 
@@ -38,7 +38,7 @@ _INDICES = {name: index for index, name in enumerate(ARRAYS)}
 
 
 class _Memory:
-    """Lets NumPy see the library's memory, and keeps the world that owns it."""
+    """Shares the library's memory with NumPy and keeps its world alive."""
 
     def __init__(self, world, view):
         self._world = world
@@ -55,10 +55,10 @@ class _Memory:
 
 
 class Frame:
-    """The present state of a world.
+    """Current state of a world.
 
     Attributes are read-only NumPy arrays (griffith.ARRAYS) and numbers (griffith.VALUES). Arrays are views of the
-    simulation's memory: valid until the world's next step, shot, edit or restore. Copy what is to be kept:
+    simulation's memory: valid until the world's next step, shot, edit or restore. Copy arrays to keep them:
     `frame.positions.copy()`.
     """
 
@@ -74,7 +74,7 @@ class Frame:
             value = ctypes.c_double()
             _library.call("world_value", self._world._handle, name.encode(), ctypes.byref(value))
             return value.value
-        raise AttributeError(f"a frame has no {name!r}; griffith.ARRAYS and griffith.VALUES list what it has")
+        raise AttributeError(f"a frame has no {name!r}; griffith.ARRAYS and griffith.VALUES list its attributes")
 
     def __dir__(self):
         return [*super().__dir__(), *ARRAYS, *VALUES]

@@ -8,15 +8,15 @@ from . import _library
 
 
 class Painter:
-    """Draws what `griffith render` draws, without a window.
+    """Draws pictures like `griffith render`, without a window.
 
     Args:
-        world: a world in which nothing has broken yet.
+        world: a world before any fracture.
         size: (width, height) [pixels].
         camera: a camera of the scene; the first if None.
-        view: what to show, such as "utilization+fracture_planes"; the scene's view if None.
+        view: view as for `griffith render --view`, such as "utilization+fracture_planes"; the scene's view if None.
 
-    Used by the thread that made it.
+    Use it in the thread that made it.
     """
 
     def __init__(self, world, size=(1280, 720), camera=None, view=None):
@@ -28,8 +28,8 @@ class Painter:
             _library.destroy("painter_destroy", self._handle)
 
     def paint(self, world):
-        """Returns the picture of the world as it is now: an array (height, width, 4) of bytes, red, green, blue and
-        opacity, of its own."""
+        """Returns the picture of the world as a new array (height, width, 4) of bytes: red, green, blue and
+        opacity."""
         pixels = _library.CArray()
         _library.call("painter_paint", self._handle, world._handle, ctypes.byref(pixels))
         height, width = pixels.count, pixels.shape[0]

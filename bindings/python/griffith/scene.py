@@ -10,12 +10,12 @@ from . import _library
 
 
 def _pointer(parent, key):
-    """Appends a key to a JSON pointer, escaped as RFC 6901 demands."""
+    """Appends a key to a JSON pointer, escaped as in RFC 6901."""
     return f"{parent}/" + str(key).replace("~", "~0").replace("/", "~1")
 
 
 def _plain(value):
-    """Returns a value that JSON can hold: parts of scenes and NumPy's numbers and arrays among them."""
+    """Converts a value for JSON; accepts parts of scenes and NumPy's numbers and arrays."""
     if isinstance(value, Part):
         return value.value()
     if isinstance(value, (numpy.ndarray, numpy.generic)):
@@ -28,7 +28,7 @@ def _plain(value):
 
 
 class Part:
-    """A part of a scene: what lies below a JSON pointer. Reads and writes go to the scene itself.
+    """A part of a scene below a JSON pointer. Reads and writes access the scene itself.
 
     `part.name` and `part["name"]` are a field, `part[0]` an item of a list. Objects and lists of objects are parts,
     all else is a plain value.
@@ -86,11 +86,11 @@ class Scene:
     Args:
         source: the path of a scene file, or a dictionary as scenes/README.md describes it ("version" may be left
             out).
-        folder: where relative paths in a dictionary start; the current folder if None.
+        folder: base of relative paths in a dictionary; the current folder if None.
 
     Fields are edited by attribute, `scene.bodies[0].material.young_modulus = 3e10`, and by JSON pointer,
-    `scene["/projectiles/0/speed"] = 20`. Each edit is checked as a file is: InputError says where and what would be
-    right, and leaves the scene as it was.
+    `scene["/projectiles/0/speed"] = 20`. Each edit is checked like a file: InputError names the place and the
+    correction, and the scene stays unchanged.
     """
 
     def __init__(self, source, folder=None):
@@ -107,7 +107,7 @@ class Scene:
             _library.destroy("scene_destroy", self._handle)
 
     def copy(self):
-        """Returns a scene of its own that is equal."""
+        """Returns an independent copy."""
         other = object.__new__(Scene)
         object.__setattr__(other, "_handle", _library.create("scene_copy", self._handle))
         return other
@@ -124,11 +124,11 @@ class Scene:
         return json.loads(_library.text_of(text))
 
     def set(self, pointer, value):
-        """Gives the field at a JSON pointer another value."""
+        """Sets the field at a JSON pointer."""
         _library.call("scene_set", self._handle, pointer.encode(), json.dumps(_plain(value)).encode())
 
     def set_mesh(self, name, points, tets):
-        """Adds tetrahedra in place of a file: for bodies with the shape {"mesh": {"path": name}}.
+        """Adds tetrahedra under the name of a file, for bodies with the shape {"mesh": {"path": name}}.
 
         Args:
             points: (n, 3) coordinates [m].

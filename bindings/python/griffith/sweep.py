@@ -1,4 +1,4 @@
-"""Many runs of a scene in processes of their own."""
+"""Many runs of a scene in separate processes."""
 import itertools
 import os
 
@@ -9,7 +9,7 @@ from .world import World, thread_limit
 
 
 def outcomes(world):
-    """Returns what sweep() notes of a run by default: pieces, cracks, masses [kg] and energies [J]."""
+    """Returns the default outcomes of sweep(): pieces, cracks, masses [kg] and energies [J]."""
     frame = world.frame
     masses = frame.body_masses
     return {
@@ -25,7 +25,7 @@ def outcomes(world):
 
 
 def _run(scene, folder, settings, steps, measure):
-    """Makes one run in a process of its own."""
+    """Makes one run in a separate process."""
     edited = Scene(scene, folder) if isinstance(scene, dict) else Scene(scene)
     for pointer, value in settings.items():
         edited[pointer] = value
@@ -40,18 +40,18 @@ def sweep(scene, steps, vary, measure=outcomes, processes=None, progress=None):
         scene: the path of a scene file or a dictionary.
         steps: time steps of each run.
         vary: values by JSON pointer: {"/projectiles/0/speed": [5, 10, 20]}.
-        measure: called with the world at the end, returns a dictionary of numbers and texts. A function of a module,
-            since it goes to other processes.
-        processes: how many run at once; as many as there are processors if None.
+        measure: called with the world at the end, returns a dictionary of numbers and texts. It must be a function of a module,
+            since it is sent to other processes.
+        processes: number of parallel runs; number of processors if None.
         progress: called with (runs made, runs) after each.
 
     Returns:
-        A dictionary of arrays with an entry a run, in the order of itertools.product(): the varied values by their
-        pointers and what `measure` returned.
+        A dictionary of arrays with one entry per run, in the order of itertools.product(): the varied values by their
+        pointers, and the results of `measure`.
 
-    An error in a run is raised here; Ctrl+C ends all.
+    Errors of runs are raised here; Ctrl+C ends all runs.
     """
-    # Not before it is needed: it gives the main module a second name, which programs that embed Python do not expect.
+    # Imported late: it gives the main module a second name, which programs that embed Python do not expect.
     import concurrent.futures
     import multiprocessing
 

@@ -1,4 +1,4 @@
-"""Scenes in motion."""
+"""Running simulations."""
 import contextlib
 import ctypes
 import json
@@ -22,11 +22,11 @@ def _monitor(progress, problems):
 
 
 class World:
-    """A scene in motion. Results depend on the scene, the shots and edits and the number of steps alone.
+    """A simulation of a scene. Results depend only on the scene, shots, edits and number of steps.
 
     Args:
         scene: a Scene, a dictionary or the path of a scene file.
-        progress: called with the name of each stage while the world is built; an exception in it gives up.
+        progress: called with the name of each stage while the world is built; an exception in it cancels the build.
         record: keep shots, edits and hashes for save_recording().
     """
 
@@ -49,7 +49,7 @@ class World:
 
     @property
     def frame(self):
-        """The present state, as arrays and numbers."""
+        """Current state as arrays and numbers."""
         return Frame(self)
 
     @property
@@ -58,14 +58,14 @@ class World:
         return _library.state_hash(self._handle)
 
     def step(self, count=1):
-        """Advances by time steps of the scene. Arrays of frames taken before are void then."""
+        """Advances by time steps of the scene. Arrays taken from earlier frames become invalid."""
         _library.call("world_step", self._handle, count)
 
     def run(self, steps, progress=None):
-        """Advances step by step, so that Ctrl+C ends it between two; returns the world.
+        """Advances step by step, so that Ctrl+C can interrupt it; returns the world.
 
         Args:
-            steps: how many.
+            steps: number of time steps.
             progress: called with (steps made, steps) after each.
         """
         for made in range(1, steps + 1):
@@ -86,16 +86,16 @@ class World:
         _library.call("world_fire_json", self._handle, json.dumps(_plain(shot)).encode())
 
     def set_material(self, body=0, **fields):
-        """Changes fields of the material of the scene's body number `body`, such as young_modulus=3e10 [Pa]. All of
-        them or, where one is refused, none."""
+        """Changes fields of the material of the scene's body number `body`, such as young_modulus=3e10 [Pa]. If one is
+        rejected, none is changed."""
         trial = self.copy()
-        for world in (trial, self):  # what the copy refuses never reaches this world
+        for world in (trial, self):  # rejected values never reach this world
             for name, value in fields.items():
                 text = json.dumps(_plain(value)).encode()
                 _library.call("world_set_material", world._handle, body, name.encode(), text)
 
     def copy(self):
-        """Returns a world that goes on from here as this one does: a snapshot or a branch. It is not recorded."""
+        """Returns a copy that continues identically: a snapshot or a branch. It is not recorded."""
         other = object.__new__(World)
         other._handle = _library.create("world_copy", self._handle)
         return other
@@ -106,11 +106,11 @@ class World:
         return self.copy()
 
     def restore(self, snapshot):
-        """Takes the world back to a copy. A recording of it ends."""
+        """Restores the state of a copy. Ends a recording."""
         _library.call("world_restore", self._handle, snapshot._handle)
 
     def save_recording(self, path):
-        """Writes the run for `griffith replay` and bug reports; the world was made with record=True."""
+        """Writes the run for `griffith replay` and bug reports; needs record=True."""
         _library.call("world_save_recording", self._handle, os.fsencode(path))
 
     def __repr__(self):
@@ -119,7 +119,7 @@ class World:
 
 @contextlib.contextmanager
 def thread_limit(threads):
-    """Limits the threads that all worlds use inside a `with` block. Results do not depend on it."""
+    """Limits the threads of all worlds inside a `with` block. Results do not depend on it."""
     limit = _library.create("thread_limit_create", threads)
     try:
         yield

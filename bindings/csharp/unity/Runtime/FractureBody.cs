@@ -1,4 +1,4 @@
-// A scene of Griffith as Unity objects: one mesh a piece, steps in FixedUpdate. Copy bindings/csharp/Griffith.cs beside this
+// A scene of Griffith as Unity objects: one mesh for each piece, steps in FixedUpdate. Copy bindings/csharp/Griffith.cs next to this
 // file, and libgriffith.so into Plugins.
 using System.Collections.Generic;
 using UnityEngine;
@@ -15,7 +15,7 @@ public sealed class FractureBody : MonoBehaviour {
   [Tooltip("Of crack faces")]
   public Material Inside;
 
-  /// <summary>A piece and what draws it.</summary>
+  /// <summary>A piece with its game object.</summary>
   sealed class Piece {
     public Transform Place;
     public Mesh Mesh;
@@ -42,7 +42,7 @@ public sealed class FractureBody : MonoBehaviour {
     world_ = null;
   }
 
-  /// <summary>Fires a sphere from a place of Unity's world [m, m/s, kg].</summary>
+  /// <summary>Fires a sphere from a point of Unity's world [m, m/s, kg].</summary>
   public void Fire(Vector3 position, Vector3 direction, float speed, float mass, float radius) {
     world_.Fire(ToGriffith(position), ToGriffith(direction), speed, mass, radius);
   }
@@ -95,7 +95,7 @@ public sealed class FractureBody : MonoBehaviour {
     }
     List<int> outside = new List<int>(), inside = new List<int>();
     for (int i = firstTriangle; i < firstTriangle + triangleCount; ++i) {
-      Int3 triangle = triangles.Triangle(i);  // the mirror image turns the other way round
+      Int3 triangle = triangles.Triangle(i);  // the mirror image has the opposite orientation
       (isCrack.Flag(i) ? inside : outside).AddRange(new[] { triangle.A, triangle.C, triangle.B });
     }
     piece.Mesh.Clear();

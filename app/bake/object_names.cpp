@@ -1,4 +1,4 @@
-#include "app/bake/thing_names.h"
+#include "app/bake/object_names.h"
 
 #include <cstdio>
 #include <set>
@@ -9,7 +9,7 @@ namespace {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-/// Formats of files do not let names begin with a digit.
+/// Makes an identifier: file formats do not allow names to begin with a digit.
 std::string word_of(const std::string& name) {
   std::string word;
   for (const char c : name) word += is_letter(c) || is_digit(c) ? c : '_';

@@ -5,11 +5,11 @@
 
 namespace griffith::app {
 
-/// A piece's surface as triangles: point by point the surface's, taken relative to `origin` [m]; smooth where it has
+/// Returns the triangulated surface of a piece, with its points relative to `origin` [m]; smooth if the surface has
 /// normals, else flat.
 BakedMesh piece_mesh(const PieceSurface& surface, const Vec3& origin);
 
-/// A projectile's: 320 triangles for a sphere, otherwise its convex faces.
+/// Returns the mesh of a projectile: 320 triangles for a sphere, otherwise its convex faces.
 BakedMesh projectile_mesh(const ProjectileView& projectile);
 
 }  // namespace griffith::app

@@ -7,11 +7,11 @@
 
 namespace griffith::app {
 
-/// Words of letters, digits and _ for the scene's bodies and then for its projectiles, each another one: what names of
-/// things and materials begin with.
+/// Returns distinct identifiers of letters, digits and _ for the scene's bodies and then for its projectiles: prefixes
+/// of the names of objects and materials.
 std::vector<std::string> name_stems(const Scene& scene);
 
-/// "pane_0012"
+/// Returns a numbered name: "pane_0012".
 std::string numbered_name(const std::string& stem, int number);
 
 }  // namespace griffith::app

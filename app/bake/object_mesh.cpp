@@ -1,4 +1,4 @@
-#include "app/bake/thing_mesh.h"
+#include "app/bake/object_mesh.h"
 
 #include <map>
 
@@ -7,7 +7,7 @@
 namespace griffith::app {
 namespace {
 
-/// A place in a texture for a point without one: seen along the axis that its face mostly looks along [m].
+/// Returns texture coordinates of a point without any: its projection along the dominant axis of its face normal [m].
 Vec2 box_projection(const Vec3& point, const Vec3& normal) {
   int axis = 0;
   normal.cwiseAbs().maxCoeff(&axis);
@@ -16,12 +16,12 @@ Vec2 box_projection(const Vec3& point, const Vec3& normal) {
   return {point.x(), point.y()};
 }
 
-/// A fan: polygons are convex.
+/// Adds a triangle fan: polygons are convex.
 void add_triangles(std::vector<std::array<int, 3>>& triangles, const std::vector<int>& polygon) {
   for (std::size_t i = 2; i < polygon.size(); ++i) triangles.push_back({polygon[0], polygon[i - 1], polygon[i]});
 }
 
-/// An icosphere of unit radius, its triangles after two rounds of halving all edges.
+/// An icosphere of unit radius, after two subdivisions of all edges.
 struct Icosphere {
   std::vector<Vec3> points;
   std::vector<std::array<int, 3>> triangles;

@@ -1,0 +1,50 @@
+#!/usr/bin/env python3
+"""Checks pages: links lead to files and headings that exist, and the programs in README.md are those of examples/."""
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "scenes/README.md", *sorted((ROOT / "docs").glob("*.md"))]
+PROGRAMS = ["examples/hello/shot.cpp", "examples/python/shot.py"]
+MAX_README_LINES = 120
+
+
+def anchors_of(page):
+    """Returns the anchors of a page's headings, as GitHub makes them."""
+    headings = re.findall(r"^#+ (.*)$", page.read_text(), re.M)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+def broken_links(page):
+    """Yields the links of a page that lead nowhere."""
+    for link in re.findall(r"\]\(([^)\s]+)\)", page.read_text()):
+        path, _, anchor = link.partition("#")
+        target = (page.parent / path).resolve() if path else page
+        if "://" in link:
+            continue
+        if not target.exists():
+            yield f"{page.relative_to(ROOT)}: {link} does not exist"
+        elif anchor and anchor not in anchors_of(target):
+            yield f"{page.relative_to(ROOT)}: {link} has no such heading"
+
+
+def missing_programs():
+    """Yields the programs that README.md does not contain as they are."""
+    readme = (ROOT / "README.md").read_text()
+    for name in PROGRAMS:
+        block = "".join("    " + line if line.strip() else line for line in (ROOT / name).open())
+        if block not in readme:
+            yield f"README.md: {name} is not in it as it is"
+
+
+def main():
+    problems = [problem for page in PAGES for problem in broken_links(page)] + list(missing_programs())
+    if len((ROOT / "README.md").read_text().splitlines()) > MAX_README_LINES:
+        problems.append(f"README.md: more than {MAX_README_LINES} lines")
+    print("\n".join(problems))
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
