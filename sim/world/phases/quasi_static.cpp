@@ -51,8 +51,7 @@ std::vector<int> group_sizes(const WorldState& world) {
 }  // namespace
 
 bool reaches_equilibrium(const WorldState& world, const Body& body, double dt) {
-  constexpr double kTransits = 4;
-  return kTransits * body.extent < dt * bar_wave_speed(world.material_of(body));
+  return body.extent < dt * bar_wave_speed(world.material_of(body));
 }
 
 void choose_quasi_static_bodies(WorldState& world) {

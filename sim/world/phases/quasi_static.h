@@ -10,7 +10,7 @@ namespace griffith {
 /// EnergyAccount::hand_over.
 void choose_quasi_static_bodies(WorldState& world);
 
-/// True if waves cross a body often enough within `dt` [s] that it comes to equilibrium.
+/// True if a wave crosses a body within `dt` [s]: by an implicit step of that length it comes close to equilibrium.
 bool reaches_equilibrium(const WorldState& world, const Body& body, double dt);
 
 }  // namespace griffith
