@@ -64,11 +64,11 @@ struct alignas(64) Body {
   std::optional<Shock> shock;
   BodyId id, parent;
   ProxyId proxy;
-  int quiet_steps = 0;     ///< steps in a row with next to no stress
-  bool rigid = false;      ///< moves as a whole: nothing about it is elastic until it is hit
+  int quiet_steps = 0;        ///< steps in a row with next to no stress
+  bool rigid = false;         ///< moves as a whole: nothing about it is elastic until it is hit
   bool quasi_static = false;  ///< touches as a rigid body; its deformation follows what acts on it without waves
-  bool untouched = false;  ///< rigid for less than 20 steps in free flight: elastic once touched
-  bool asleep = false;     ///< lies still, under whatever stress there is, until something disturbs it
+  bool untouched = false;     ///< rigid for less than 20 steps in free flight: elastic once touched
+  bool asleep = false;        ///< lies still, under whatever stress there is, until something disturbs it
 
   RigidMotion motion;                   ///< mass, momentum and inertia of the nodes now
   Quat orientation = Quat::Identity();  ///< from the reference shape to now

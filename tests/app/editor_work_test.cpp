@@ -58,7 +58,7 @@ TEST_F(EditorTest, WorkThatLastsShowsADialogThatCancelsIt) {
 
 TEST_F(EditorTest, TheFirstPictureOfASceneThatTookLongIsItsOwn) {
   Scene scene = small_wall();
-  std::get<BoxShape>(scene.bodies[0].shape).element_size = Vec3::Constant(0.06);
+  std::get<BoxShape>(scene.bodies[0].shape).element_size = Vec3::Constant(0.04);
   scene.cameras = {{"away", Vec3(0, 1, 50), Vec3(0, 1, 100), 40}};
   scene.name = "behind";
   write_scene(scene, test_folder() / "behind.json");

@@ -8,7 +8,6 @@
 #include "sim/fracture/resistance.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/collision_shape.h"
-#include "sim/world/conditions/supports.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/motion_phase.h"
@@ -239,29 +238,30 @@ void assign_pieces(WorldState& world, BodyId id, std::vector<std::vector<TetId>>
   }
 }
 
-void split_bodies(WorldState& world, std::span<const BodyId> opened) {
+std::vector<BodyId> part_bodies(WorldState& world, std::span<const BodyId> opened) {
+  std::vector<BodyId> pieces(opened.begin(), opened.end());
   const std::size_t first_new = world.bodies.size();
-  for (BodyId id : opened) {
-    const std::size_t first = world.bodies.size();
-    assign_pieces(world, id, connected_components(world.mesh, world.bodies[id].tets));
-    std::vector<BodyId> pieces = {id};
-    for (std::size_t i = first; i < world.bodies.size(); ++i) pieces.push_back(world.bodies[i].id);
-    release_unbonded(world, pieces);
-  }
-  std::vector<BodyId> changed(opened.begin(), opened.end());
-  const std::span<Body> parted = std::span(world.bodies).subspan(first_new);
-  for (const Body& body : parted) changed.push_back(body.id);
-  std::vector<double> lost(changed.size(), 0.0);
-  parallel_for(static_cast<int>(changed.size()), 1, [&](int begin, int end) {
+  for (BodyId id : opened) assign_pieces(world, id, connected_components(world.mesh, world.bodies[id].tets));
+  for (std::size_t i = first_new; i < world.bodies.size(); ++i) pieces.push_back(world.bodies[i].id);
+  return pieces;
+}
+
+void rebuild_pieces(WorldState& world, std::span<const BodyId> pieces) {
+  std::vector<double> lost(pieces.size(), 0.0);
+  parallel_for(static_cast<int>(pieces.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
-      Body& body = world.bodies[changed[i]];
+      Body& body = world.bodies[pieces[i]];
       lost[i] = rebuild_shape(world, body);
       body.collision_parts = collision_parts(world, body);
     }
   });
   for (const double energy : lost) world.energy.hand_over += energy;
-  for (BodyId id : opened) reshape_proxy(world, world.bodies[id]);
-  add_proxies(world, parted);
+  std::size_t first_new = world.bodies.size();
+  for (const BodyId id : pieces) {
+    if (world.bodies[id].proxy.valid()) reshape_proxy(world, world.bodies[id]);
+    if (!world.bodies[id].proxy.valid()) first_new = std::min(first_new, static_cast<std::size_t>(id.index()));
+  }
+  add_proxies(world, std::span(world.bodies).subspan(first_new));
 }
 
 }  // namespace griffith

@@ -15,8 +15,11 @@ inline const Body& body_at(const WorldState& world, NodeId node) {
 
 /// Takes the stress out of a body that is rigid from now on.
 void clear_stress(WorldState& world, const Body& body);
-/// Gives the tets of bodies that may have come apart to one body for each connected piece.
-void split_bodies(WorldState& world, std::span<const BodyId> opened);
+/// Gives the tets of bodies that may have come apart to one body for each connected piece; then rebuild_pieces().
+/// Returns all pieces: first the bodies themselves, then the new ones.
+std::vector<BodyId> part_bodies(WorldState& world, std::span<const BodyId> opened);
+/// Rebuilds what follows from the tets of pieces; new ones, the last bodies, get their proxies.
+void rebuild_pieces(WorldState& world, std::span<const BodyId> pieces);
 /// Gives each piece that is known a body: one goes on as the body itself, each other becomes a new body, of which
 /// nothing but the tets is known yet.
 void assign_pieces(WorldState& world, BodyId id, std::vector<std::vector<TetId>> pieces);

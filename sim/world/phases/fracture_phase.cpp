@@ -208,7 +208,10 @@ std::vector<BodyId> children_of(const WorldState& world, const CrackEvent& event
 void part_opened(WorldState& world, const Opened& opened) {
   restore_angular_momentum(world, opened.motions);
   follow_cracks(world.model->splinters, world.mesh->neighbours, opened.parted, world.splinter_state);
-  split_bodies(world, std::vector<BodyId>(opened.bodies.begin(), opened.bodies.end()));
+  const std::vector<BodyId> pieces =
+      part_bodies(world, std::vector<BodyId>(opened.bodies.begin(), opened.bodies.end()));
+  release_unbonded(world, pieces);
+  rebuild_pieces(world, pieces);
   for (std::size_t i = opened.first_event; i < world.crack_events.size(); ++i)
     world.crack_events[i].children = children_of(world, world.crack_events[i]);
 }
