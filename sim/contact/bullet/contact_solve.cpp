@@ -91,11 +91,9 @@ double ContactWorld::Impl::touching_speed(const Object& a, const Object& b, doub
   return std::max(2 * dt * gravity.norm(), kSettledFraction * std::sqrt(gravity.norm() * smaller_radius(a, b)));
 }
 
-/// A gap that closes in this substep is struck now, at full speed, rather than half now and half in the next one. What
-/// deforms closes it: pressed on, it would stay in the air.
+/// A gap that closes in this substep is struck now, at full speed, rather than half now and half in the next one.
 bool ContactWorld::Impl::strikes(const Contact& contact, double dt) const {
-  const Object &a = objects[contact.a], &b = objects[contact.b];
-  return !a.elastic && !b.elastic && contact.approach > touching_speed(a, b, dt) &&
+  return contact.approach > touching_speed(objects[contact.a], objects[contact.b], dt) &&
          contact.approach * dt > contact.distance;
 }
 
@@ -113,21 +111,11 @@ double ContactWorld::Impl::rebound_speed(const Contact& contact, double dt) cons
   return left > 0 ? -gain / 2 + std::sqrt(gain * gain / 4 + left) : 0;
 }
 
-/// The speed with which what deforms comes out of the ground, into which the tolerance of impulses has let it in the
-/// steps before: as little as that was, so that it gives back no more than the energy that it took. Between two things,
-/// of which neither surface is exact, an overlap stays.
-double ContactWorld::Impl::parting_speed(const Contact& contact, double dt) const {
-  constexpr double kTolerance = 1e-3;  // of the approach, some times that of the owner
-  const Object &a = objects[contact.a], &b = objects[contact.b];
-  const bool is_on_ground = a.kind == Kind::ground || b.kind == Kind::ground;
-  if (!is_on_ground || (!a.elastic && !b.elastic)) return 0;
-  const double overlap = -distance_beyond(contact.distance, allowance(contact.a, contact.b));
-  return std::max(0.0, std::min(overlap / dt, kTolerance * contact.approach));
-}
-
 double ContactWorld::Impl::target_velocity(const Contact& contact, double dt) const {
-  if (strikes(contact, dt)) return allowance(contact.a, contact.b) > 0 ? 0 : rebound_speed(contact, dt);
-  return contact.distance > 0 ? -contact.distance / dt : parting_speed(contact, dt);
+  if (!strikes(contact, dt)) return -std::max(0.0, contact.distance) / dt;
+  const Object &a = objects[contact.a], &b = objects[contact.b];
+  if (a.elastic || b.elastic || allowance(contact.a, contact.b) > 0) return 0;
+  return rebound_speed(contact, dt);
 }
 
 int ContactWorld::Impl::solve(double dt, std::span<const ElasticObject> elastic, std::span<const HingedObject> hinges) {

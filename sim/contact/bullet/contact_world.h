@@ -208,7 +208,6 @@ struct ContactWorld::Impl : contact::ContactState {
   std::vector<contact::ContactConstraint> constraints(double dt) const;
   double target_velocity(const Contact& contact, double dt) const;
   double rebound_speed(const Contact& contact, double dt) const;
-  double parting_speed(const Contact& contact, double dt) const;
   bool strikes(const Contact& contact, double dt) const;
   std::vector<std::pair<int, int>> touching_pairs() const;
   void advance(double dt);

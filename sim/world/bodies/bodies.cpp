@@ -80,24 +80,13 @@ std::size_t surviving_piece(const WorldState& world, const std::vector<std::vect
 
 }  // namespace
 
-namespace {
-
-// Slower waves do not come near the stress of sigma / (rho c).
-double speed_of_waves(const WorldState& world, const Body& body, double stress) {
-  constexpr double kFraction = 0.5;
-  const Material& material = world.material_of(body);
-  return kFraction * stress / (material.density * bar_wave_speed(material));
-}
-
-}  // namespace
-
 double damage_speed(const WorldState& world, const Body& body) {
+  // Slower meetings do not come near the breaking speed sigma_t / (rho c).
+  constexpr double kFractionOfBreakingSpeed = 0.5;
   if (body.tets.size() == 1) return std::numeric_limits<double>::infinity();
-  return speed_of_waves(world, body, min_breaking_stress(world, body, false));
-}
-
-double noticeable_speed(const WorldState& world, const Body& body) {
-  return speed_of_waves(world, body, min_noticeable_stress(world, body, false));
+  const Material& material = world.material_of(body);
+  const double stress = min_breaking_stress(world, body, false);
+  return kFractionOfBreakingSpeed * stress / (material.density * bar_wave_speed(material));
 }
 
 double hurting_speed(const WorldState& world, const Body& body) {
@@ -113,12 +102,6 @@ double min_breaking_stress(const WorldState& world, const Body& body, bool at_cr
   const double minimum = body.weakest_fraction * resistance(material, at_crack_front, body.element_size);
   const bool is_force = material.criterion == FractureCriterion::separation_force;
   return is_force ? minimum / (body.element_size * body.element_size) : minimum;
-}
-
-double min_noticeable_stress(const WorldState& world, const Body& body, bool at_crack_front) {
-  constexpr double kVisibleStrain = 1e-3;
-  return std::min(min_breaking_stress(world, body, at_crack_front),
-                  kVisibleStrain * world.material_of(body).young_modulus);
 }
 
 void clear_stress(WorldState& world, const Body& body) {

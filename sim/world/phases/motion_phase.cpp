@@ -163,8 +163,7 @@ double work_done(const WorldState& world, const Body& body, const std::vector<Ve
   return work;
 }
 
-/// What of a node's velocity does not deform the body: of its motion as a whole, its swinging, or that of its supports
-/// together.
+/// What of a node's velocity does not deform the body: of its motion as a whole, its swinging or its supports.
 std::function<Vec3(NodeId)> rigid_velocity_of(const WorldState& world, const Body& body) {
   if (!body.supported())
     return [&world, motion = motion_of(world, body)](NodeId node) {
@@ -174,13 +173,7 @@ std::function<Vec3(NodeId)> rigid_velocity_of(const WorldState& world, const Bod
     return [&world, place = pivot->place, spin = turning_of(world, body, *pivot).spin](NodeId node) {
       return Vec3(spin.cross(world.nodes.positions[node] - place));
     };
-  Vec3 mean = Vec3::Zero();
-  const std::span<const NodeId> supports = body.system->supports();
-  for (const NodeId node : supports)
-    mean += world.nodes.constraints[node].velocity / static_cast<double>(supports.size());
-  return [&world, mean](NodeId node) {
-    return world.nodes.has_support[node] ? world.nodes.constraints[node].velocity : mean;
-  };
+  return [&world](NodeId node) { return world.nodes.constraints[node].velocity; };
 }
 
 /// Back to a snapshot, without the velocities that deform the body.
