@@ -146,10 +146,17 @@ TEST_F(RestOnScreen, RoundingNoiseIsShownAsNoEnergy) {
   }
 }
 
+Scene wall_shot_three_times() {
+  Scene scene = shot_wall();
+  scene.projectiles[0].count = 3;
+  scene.projectiles[0].interval = 0.1;
+  return scene;
+}
+
 /// All that the window says, at any time: no sentence may contradict another.
 class SentencesOnScreen : public EditorTest {
  protected:
-  SentencesOnScreen() : EditorTest(shot_wall()) {
+  SentencesOnScreen() : EditorTest(wall_shot_three_times()) {
     editor_.state().breakpoints.crack = ui::Breakpoints::Where::anywhere;
   }
   void run_until_stopped() {
