@@ -72,7 +72,7 @@ struct HingedObject {
   ProxyId object;
   double mass;            ///< [kg]
   Vec3 place;             ///< that hardly moves [m]
-  Mat3 inverse_inertia;   ///< of turning about the axes that are free, world frame [1/(kg·m²)]
+  Mat3 inverse_inertia;   ///< about the axes that are free, world frame [1/(kg·m²)]
   Vec3 first_spin, spin;  ///< when the substep begins and, as if nothing touched it, when it ends [rad/s]
 };
 

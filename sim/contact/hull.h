@@ -29,7 +29,7 @@ struct Hull {
   std::vector<int> loops;
   std::vector<Edge> edges;
   Vec3 center = Vec3::Zero();                               ///< of the corners
-  double inner_radius = 0;                                  ///< of the largest ball round it that no face cuts
+  double inner_radius = 0;                                  ///< radius of the largest ball round it that no face cuts
   Vec3 box_center = Vec3::Zero(), box_half = Vec3::Zero();  ///< the box round them
 };
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/SparseCholesky>
-#include <span>
 #include <vector>
 
 namespace griffith {

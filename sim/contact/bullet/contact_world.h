@@ -110,8 +110,8 @@ struct Pair {
 Contact contact_at(const Pair& pair, const Manifold& manifold, const Manifold::Point& point, const Place& a,
                    const Place& b);
 
-/// What leaves its boxes in the tree within a step: by `distance` [m] at most; those that go farther, or have none, are
-/// listed.
+/// Objects outside their boxes in the tree within a step: by `distance` [m] at most. Those that go farther, or have no
+/// box, are listed.
 struct Strays {
   double distance = 0;
   std::vector<int> objects;
@@ -145,7 +145,7 @@ struct ContactState {
   std::vector<ContactConstraint> solved;
   std::vector<Vec3> free_velocities;     ///< per row of `solved`: of a relative to b, without impulses [m/s]
   std::vector<int> row_of;               ///< per contact: index into `solved`, -1 where all is rigid
-  std::vector<HingedObject> hinged;      ///< of the last solve()
+  std::vector<HingedObject> hinged;      ///< as given to the last solve()
   std::vector<RigidBody> rigid_bodies;   ///< per object, as the last solve() moved them
   std::vector<RigidGroup> rigid_groups;  ///< those without anything elastic, of the last solve()
   std::vector<bool> moves_rigidly;       ///< per object: in one of these

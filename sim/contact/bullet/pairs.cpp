@@ -99,8 +99,8 @@ Box ContactWorld::Impl::box_of(const Object& object, int part, double dt) const 
   return {center - half + way.cwiseMin(0), center + half + way.cwiseMax(0)};
 }
 
-/// How far an object may get out of its boxes in the tree within `dt` [s] at its present motion, 0 if it stays in them
-/// [m].
+/// Returns the distance by which an object may leave its boxes in the tree within `dt` [s] at its present motion, 0 if
+/// it stays in them [m].
 double ContactWorld::Impl::way_out(const Object& object, double dt) const {
   if (object.leaves.empty()) return std::numeric_limits<double>::infinity();
   double farthest = -std::numeric_limits<double>::infinity();
@@ -153,7 +153,7 @@ void ContactWorld::Impl::for_each_near(double dt, const std::function<void(int, 
       if (a->box.meets(b->box)) use(a->object, b->object);
 }
 
-/// What may get into a box within the step of the last advance(), ascending.
+/// Returns the objects that may enter a box within the step of the last advance(), ascending.
 std::vector<int> ContactWorld::Impl::objects_near(const Box& box) const {
   std::vector<int> near = strays.objects;
   if (ground >= 0 && box.low.y() <= ground_height) near.push_back(ground);

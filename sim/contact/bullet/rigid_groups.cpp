@@ -83,7 +83,7 @@ RigidBody ContactWorld::Impl::rigid_body(const Object& object, double dt) const 
   return body;
 }
 
-/// What it turns about [m].
+/// Returns the point about which an object turns [m].
 const Vec3& ContactWorld::Impl::center(const Object& object) const {
   return object.hinge >= 0 ? hinged[object.hinge].place : object.state.pose.translation;
 }

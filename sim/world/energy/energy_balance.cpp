@@ -14,17 +14,10 @@ double elastic_energy(const WorldState& world) {
   return sum;
 }
 
-double kinetic_energy_of_nodes(const WorldState& world, const Body& body) {
-  double sum = 0;
-  for (NodeId node : body.nodes) sum += 0.5 * world.nodes.masses[node] * world.nodes.velocities[node].squaredNorm();
-  return sum;
-}
-
 double kinetic_energy(const WorldState& world) {
   double sum = kinetic_energy_of_projectiles(world);
   for (const Body& body : world.bodies)
-    sum += body.rigid ? kinetic_energy(body.motion)
-                      : kinetic_energy_of_nodes(world, body) + kinetic_energy_of_edges(world, body);
+    sum += body.rigid ? kinetic_energy(body.motion) : kinetic_energy_of(world, body);
   return sum;
 }
 

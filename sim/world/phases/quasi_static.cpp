@@ -63,7 +63,7 @@ void choose_quasi_static_bodies(WorldState& world) {
   for (Body& body : world.bodies) {
     const int group = sizes[body.proxy];
     const bool is_costly = group > kLargeGroup || (group > 0 && body.nodes.size() > kLargeBody);
-    body.quasi_static = is_costly && hardly_deforms(world, body) && reaches_equilibrium(world, body, time_step) &&
+    body.quasi_static = is_costly && reaches_equilibrium(world, body, time_step) && hardly_deforms(world, body) &&
                         !is_driven(world, body);
     if (body.quasi_static && body.sways()) stop_deforming(world, body);
   }
