@@ -56,6 +56,7 @@ std::string bake_and_write(Timeline timeline, const fs::path& path, BakeProgress
     progress.step = step;
   }
   const Bake bake = baker.finish(timeline.world().frame());
+  if (progress.cancelled) throw Cancelled();
   export_bake(path, bake);
   return written_text(path, bake.times.size());
 }

@@ -94,10 +94,9 @@ TEST_F(ExportTest, AVideoOfTheView) {
 }
 
 TEST_F(ExportTest, CancelLeavesNoFile) {
-  run(30);
+  run(300);
   for (const char* name : {"run.glb", "run.json"}) {
     write(test_folder() / name);
-    draw();
     editor_.state().cancel_work = true;
     wait_for_work();
     EXPECT_FALSE(fs::exists(test_folder() / name));
