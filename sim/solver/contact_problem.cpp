@@ -206,12 +206,23 @@ double compliance_of(const DeformableInertia& body, const WeightedRows& point) {
   return compliance;
 }
 
+/// Compliance of a body at a point that does not deform [1/kg].
+double whole_compliance(const WholeMotion& whole, const WeightedRows& point) {
+  if (!whole.exists()) return 0;
+  Vec3 arm = Vec3::Zero();
+  for (int i = 0; i < 3; ++i)
+    if (const int row = point.rows[i]; row >= 0) arm += point.weights[i].trace() / 3 * whole.arms.col(row);
+  const Mat3 cross = cross_matrix(arm);
+  return whole.inverse_mass - (cross * whole.inverse_inertia * cross).trace() / 3;
+}
+
 /// Softness r of a contact [1/kg]: that of the elements that touch, or a small share of what masses alone have. With
-/// more, rounds converge slowly; with less, Newton's method does where contacts go from sticking to sliding.
+/// more, rounds converge slowly; with less, Newton's method does where contacts go from sticking to sliding. Elements
+/// of a stiff chip resist a long step 10⁹ times as much as its mass does, too much for the precision of numbers.
 double softness_of(std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid,
                    const FrictionContact& contact) {
-  constexpr double kOfElements = 0.3, kOfMasses = 1e-2;
-  double of_elements = 0, of_masses = 0;
+  constexpr double kOfElements = 0.3, kOfMasses = 1e-2, kOfWhole = 1e-7;
+  double of_elements = 0, of_masses = 0, of_whole = 0;
   for (const ContactSide* side : {&contact.a, &contact.b}) {
     if (side->body < 0) continue;
     if (!side->deformable) {
@@ -219,9 +230,10 @@ double softness_of(std::span<const DeformableInertia> deformable, std::span<cons
     } else {
       const DeformableInertia& body = deformable[side->body];
       (body.matrix ? of_elements : of_masses) += compliance_of(body, side->point);
+      if (body.matrix) of_whole += whole_compliance(body.whole, side->point);
     }
   }
-  const double softness = kOfElements * of_elements + kOfMasses * of_masses;
+  const double softness = kOfElements * of_elements + kOfMasses * of_masses + kOfWhole * of_whole;
   return softness > 0 ? softness : 1;  // nothing that could move
 }
 

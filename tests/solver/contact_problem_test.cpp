@@ -160,13 +160,15 @@ TEST(ContactProblem, TheHeavyRestsOnTheLight) {
 
 /// A box of elastic elements above a floor, about to fall for a step.
 struct FallingBox {
-  ElasticBox body{Vec3(0.4, 0.2, 0.4), 0.1, 6e10};
+  ElasticBox body;
   ElasticSystem system = body.system();
   WholeMotion whole;
   std::vector<FrictionContact> contacts;
 
-  explicit FallingBox(double friction, const Vec3& velocity = Vec3::Zero()) {
-    body.assemble(system, {.dt = kStepTime});
+  explicit FallingBox(double friction, const Vec3& velocity = Vec3::Zero())
+      : FallingBox({Vec3(0.4, 0.2, 0.4), 0.1, 6e10}, friction, velocity) {}
+  FallingBox(ElasticBox box, double friction, const Vec3& velocity, double dt = kStepTime) : body(std::move(box)) {
+    body.assemble(system, {.dt = dt});
     whole.masses = Eigen::Map<const Eigen::VectorXd>(body.masses.data(), body.masses.size());
     whole.arms = system.gather(body.positions);
     whole.arms.colwise() -= Vec3(whole.arms * whole.masses / whole.masses.sum());
@@ -218,6 +220,21 @@ TEST(ContactProblem, AnElasticBoxSlidesAsARigidOneDoes) {
   const Vec3 gained = change * box.whole.masses;
   EXPECT_NEAR(-gained.x(), 0.2 * box.mass() * kFall * kStepTime, 2e-3 * box.mass() * kFall * kStepTime);
   EXPECT_NEAR(gained.y(), box.mass() * kFall * kStepTime, 1e-3 * box.mass() * kFall * kStepTime);
+}
+
+TEST(ContactProblem, AStiffChipIsCaughtInALongStep) {
+  constexpr double kLongStep = 1.0 / 30;
+  for (const Vec3& spin : {Vec3(0, 0, 0), Vec3(3, 20, 7), Vec3(-40, 5, 11)}) {
+    FallingBox chip({Vec3(5e-3, 1e-3, 5e-3), 1.65e-3, 6e10}, 0.5, Vec3(0.3, -0.2, 0.1), kLongStep);
+    for (FrictionContact& contact : chip.contacts)
+      contact.free_velocity +=
+          contact.axes.transpose() * spin.cross(Vec3(chip.whole.arms.col(contact.a.point.rows[0])));
+    ContactSolveReport report;
+    const NodeVectors change = chip.solve({}, &report);
+    EXPECT_EQ(report.unconverged, 0) << spin.transpose();
+    EXPECT_LT(report.newton_steps, 100) << "up to 529 where contacts are as stiff as the elements";
+    EXPECT_LT(change.colwise().norm().maxCoeff(), 1) << "no faster than it came";
+  }
 }
 
 TEST(ContactProblem, TheWholeOfABodyTakesPartOnce) {

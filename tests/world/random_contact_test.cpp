@@ -39,9 +39,14 @@ struct RunFigures {
 
 constexpr int kHashedStep = 40;
 
+/// Energy below which nothing is turned over [J]: of the fall of everything in a time step, or by 10⁻⁴ of its size.
+double negligible_energy(const Frame& frame, const RandomContactScene& made) {
+  const double g = made.scene.gravity.norm(), dt = made.scene.simulation.time_step;
+  return frame.totals.mass * g * std::min(0.5 * g * dt * dt, 1e-4 * made.size);
+}
+
 void look_at(const Frame& frame, const RandomContactScene& made, RunFigures& figures) {
-  // A fall through a billionth of its size is no motion.
-  const double least = 1e-9 * frame.totals.mass * made.scene.gravity.norm() * made.size;
+  const double least = negligible_energy(frame, made);
   figures.gained = std::max(figures.gained, testing::energy_gained(frame.energy, least));
   figures.unaccounted = std::max(figures.unaccounted, testing::energy_unaccounted(frame.energy, least));
   for (const BodyView& body : frame.bodies)
