@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <ranges>
+#include <span>
 
 #include "sim/contact/bullet/contact_world.h"
 #include "sim/contact/bullet/sweep.h"
@@ -38,25 +40,50 @@ void find_point(Manifold& manifold, const PlacedShape& a, const PlacedShape& b, 
              std::numeric_limits<double>::max());
 }
 
-/// Where a hull meets the ground: its lower corners, whatever their depth. A thin slab's upper side is within reach
-/// too.
+/// The face of a hull that looks most against `up`, in the hull's frame; null where it has no faces.
+const Hull::Face* lower_face(const Hull& hull, const Vec3& up) {
+  const auto lowest =
+      std::ranges::min_element(hull.faces, {}, [&](const Hull::Face& face) { return up.dot(face.normal); });
+  return lowest == hull.faces.end() ? nullptr : &*lowest;
+}
+
+/// The corners of a hull that meet the ground first: those of its lower half, and those of the face on which it may
+/// come to lie. The upper side of a thin slab is near the ground, but does not touch it.
+class LowerCorners {
+ public:
+  LowerCorners(const Hull& hull, const Vec3& up) : hull_(hull), up_(up), face_(lower_face(hull, up)) {
+    const auto height = [&](const Vec3& corner) { return up.dot(corner); };
+    const auto [lowest, highest] = std::ranges::minmax(hull.corners | std::views::transform(height));
+    lowest_ = lowest;
+    middle_ = (lowest + highest) / 2;
+  }
+
+  double lowest() const { return lowest_; }
+  bool contain(int corner) const {
+    if (up_.dot(hull_.corners[corner]) <= middle_) return true;
+    return face_ && std::ranges::count(std::span(hull_.loops).subspan(face_->first, face_->count), corner) > 0;
+  }
+
+ private:
+  const Hull& hull_;
+  Vec3 up_;
+  const Hull::Face* face_;
+  double lowest_, middle_;  // [m]
+};
+
+/// Finds where a hull meets the ground: in its lower corners, whatever their depth.
 void find_ground_points(Manifold& manifold, const Hull& hull, const Place& place, double height, bool hull_is_a,
                         double reach, double tolerance) {
   const double lift = place.translation.y() - height;
   const Vec3 up = place.rotation.row(1).transpose();
-  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-  for (const Vec3& corner : hull.corners) {
-    const double y = up.dot(corner) + lift;
-    lowest = std::min(lowest, y);
-    highest = std::max(highest, y);
-  }
-  if (!(lowest < reach)) return void(manifold.count = 0);
-  const double limit = std::min(reach, (lowest + highest) / 2);
+  const LowerCorners lower(hull, up);
+  if (!(lower.lowest() + lift < reach)) return void(manifold.count = 0);
   std::array<FoundPoint, kMostFound> found;
   std::size_t count = 0;
-  for (const Vec3& corner : hull.corners) {
+  for (int i = 0; i < static_cast<int>(hull.corners.size()) && count < found.size(); ++i) {
+    const Vec3& corner = hull.corners[i];
     const double y = up.dot(corner) + lift;
-    if (y > limit || count == found.size()) continue;
+    if (y > reach || !lower.contain(i)) continue;
     const Vec3 point = place.to_world(corner), foot(point.x(), height, point.z());
     found[count++] = hull_is_a ? FoundPoint{point, foot, y} : FoundPoint{place.to_local(foot), corner, y};
   }
