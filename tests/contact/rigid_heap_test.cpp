@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 #include <cstring>
+#include <numbers>
 
 #include "sim/core/free_turn.h"
 #include "sim/core/parallel.h"
@@ -209,6 +210,27 @@ TEST(RigidHeap, NothingIsDeepWhenItLands) {
       EXPECT_LT(heap.world.max_penetration(), 1e-3) << speed << ", step " << step;
     }
   }
+}
+
+TEST(RigidHeap, PlatesFallOverOntoTheirFaces) {
+  constexpr double kLongStep = 1.0 / 60;
+  const Vec3 size(0.02, 0.0014, 0.02);
+  for (int degrees = 5; degrees < 90; degrees += 5)
+    for (const double spin : {0.0, -10.0, -20.0}) {
+      const double angle = degrees * std::numbers::pi / 180;
+      Heap heap(kLongStep);
+      RigidState state = at(Vec3(0, 0.5 * (size.z() * std::sin(angle) + size.y() * std::cos(angle)), 0));
+      state.pose.rotation = Quat(rotation_by(Vec3(-angle, 0, 0)));
+      state.angular_velocity = Vec3(-spin, 0, 0);
+      heap.add_box(size, 700, state);
+      double lowest = 0;
+      for (int step = 0; step < 120; ++step) {
+        heap.step();
+        lowest = std::min(lowest, heap.world.state(heap.ids[0]).pose.translation.y());
+      }
+      EXPECT_GT(lowest, -0.1 * size.x()) << degrees << " degrees, spin " << spin;
+      EXPECT_TRUE(heap.all_sleep()) << degrees << " degrees, spin " << spin;
+    }
 }
 
 }  // namespace

@@ -182,6 +182,7 @@ struct ContactWorld::Impl : contact::ContactState {
   void find_points(double dt);
   int find_points(const contact::Pair& pair, double gap);
   void find_points(const contact::Pair& pair, contact::Manifold& manifold, double gap) const;
+  double with_fall(double speed, double dt) const;
   double reach(const contact::Object& a, const contact::Object& b, double dt) const;
   void update_allowances();
   double allowance(ProxyId a, ProxyId b) const;

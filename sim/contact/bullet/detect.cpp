@@ -104,9 +104,12 @@ void ContactWorld::Impl::list_pair(std::span<const Pair> of_pair, double dt) {
   for (const Pair& pair : of_pair) {
     if (pair.count == 0) continue;
     Manifold& manifold = manifolds[pair.manifold];
+    double overlap = 0;  // pushing a corner out by it may push another one in
+    for (const Manifold::Point& point : manifold.listed())
+      overlap = std::max(overlap, -contact_at(pair, manifold, point, a.place, b.place).distance);
     for (int i = 0; i < pair.count; ++i) {
       const Contact contact = contact_at(pair, manifold, manifold.points[i], a.place, b.place);
-      if (!is_near(pair, contact, dt)) {
+      if (!(contact.distance < overlap) && !is_near(pair, contact, dt)) {
         manifold.points[i].force.setZero();
         continue;
       }
@@ -141,7 +144,7 @@ bool ContactWorld::Impl::is_near(const Pair& pair, const Contact& contact, doubl
     return contact.normal.dot(state.velocity + state.angular_velocity.cross(arm));
   };
   const double of_a = -speed_along(a), of_b = speed_along(b), speed = std::max({of_a + of_b, of_a, of_b});
-  return contact.distance < dt * speed && speed < std::min(a.impact_speed, b.impact_speed);
+  return contact.distance < dt * with_fall(speed, dt) && speed < std::min(a.impact_speed, b.impact_speed);
 }
 
 void ContactWorld::Impl::replace_contacts(const std::vector<bool>& taken_out, std::span<const Contact> put_in) {

@@ -100,6 +100,11 @@ bool spheres_meet(const Object& a, const Object& b, double gap) {
 
 }  // namespace
 
+/// A speed of approach with what falling for `dt` [s] adds. What hardly moves rests on something [m/s].
+double ContactWorld::Impl::with_fall(double speed, double dt) const {
+  return speed + std::clamp(speed, 0.0, dt * gravity.norm());
+}
+
 /// The gap below which two objects touch, or may within `dt` [s] [m].
 double ContactWorld::Impl::reach(const Object& a, const Object& b, double dt) const {
   const double radius = a.kind == Kind::ground   ? b.shape.radius
@@ -110,7 +115,7 @@ double ContactWorld::Impl::reach(const Object& a, const Object& b, double dt) co
   const Vec3 &of_a = a.state.velocity, &of_b = b.state.velocity;
   const double square = std::max({(of_a - of_b).squaredNorm(), of_a.squaredNorm(), of_b.squaredNorm()});
   const double speed = std::sqrt(square) + turning_speed(a) + turning_speed(b);
-  return kContactReach * radius + std::min(dt * speed, radius);
+  return kContactReach * radius + std::min(dt * with_fall(speed, dt), radius);
 }
 
 /// The box that a part does not leave within `dt` [s].
