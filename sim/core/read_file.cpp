@@ -48,7 +48,7 @@ std::string read_file(const std::filesystem::path& path, std::int64_t max_bytes)
   std::size_t filled = 0;
   while (filled < content.size()) {
     const ssize_t count = read(file.number(), content.data() + filled, content.size() - filled);
-    if (count == 0) break;  // it was cut while it was read
+    if (count == 0) break;  // the file was truncated meanwhile
     if (count < 0 && errno != EINTR) fail(path);
     if (count > 0) filled += static_cast<std::size_t>(count);
   }

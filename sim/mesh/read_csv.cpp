@@ -6,7 +6,7 @@
 namespace griffith {
 namespace {
 
-/// Passes over a heading: a first line that does not start with a number.
+/// Skips a heading: a first line that does not start with a number.
 void skip_heading(FileCursor& cursor) {
   if (cursor.at_end()) return;
   const std::size_t start = cursor.offset();

@@ -28,7 +28,7 @@ struct MeshFormat {
 constexpr MeshFormat kFormats[] = {{".node", read_tetgen}, {".ele", read_tetgen}, {".msh", read_gmsh},
                                    {".mesh", read_medit},  {".vtk", read_vtk},    {".vtu", read_vtu}};
 
-/// Null for what is no mesh.
+/// Returns null for a path that is not a mesh.
 MeshReader reader_of(const std::filesystem::path& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) return read_csv_pair;

@@ -10,7 +10,7 @@ namespace {
 
 using Index3 = BccLattice::Index3;
 
-/// The position of `index` in a block of `size`, x fastest.
+/// Returns the position of `index` in a block of `size`, x fastest.
 int flat(const Index3& index, const Index3& size) { return index[0] + size[0] * (index[1] + size[1] * index[2]); }
 
 Index3 unflat(int position, const Index3& size) {
@@ -74,7 +74,7 @@ std::array<std::array<int, 4>, 4> BccLattice::tets_at(const Index3& cell, int ax
   const Index3 middle = {2 * cell[0] + 1, 2 * cell[1] + 1, 2 * cell[2] + 1};
   Index3 next = middle;
   next[axis] += 2;
-  // Round the face, from above: its corners lie one half edge along the axis and one each way across it.
+  // Corners around the face, from above: one half edge along the axis and one each way across it.
   constexpr std::array<std::array<int, 2>, 4> kRound = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
   std::array<int, 4> corners;
   for (int i = 0; i < 4; ++i) {

@@ -7,7 +7,7 @@
 namespace griffith {
 namespace {
 
-/// Appends an attribute of corners, zeros where the object has none.
+/// Appends an attribute of corners, zeros if the object has none.
 template <class T>
 void append_corners(std::vector<std::array<T, 3>>& all, const std::vector<std::array<T, 3>>& added, std::size_t count) {
   all.insert(all.end(), added.begin(), added.end());

@@ -21,7 +21,7 @@ constexpr std::array kFormats = {".obj", ".stl", ".ply", ".off", ".gltf", ".glb"
 constexpr std::uintmax_t kMaxBytes = 1 << 30;
 constexpr char kRemedy[] = "the file is damaged: export the surface again";
 
-/// Assimp's reader of PLY files never ends where the header does not.
+/// Throws for a PLY file with an unterminated header, since Assimp's reader would never end.
 void require_ply_header(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   for (std::string line; std::getline(file, line);)
@@ -50,13 +50,14 @@ fs::path folder_of_this_program() {
   return fs::read_symlink("/proc/self/exe", error).parent_path();
 }
 
-/// Folder of the shared library that holds this code; that of the program where it is linked into that.
+/// Returns the folder of the shared library that holds this code, or of the program if it is linked statically.
 fs::path folder_of_this_code() {
   Dl_info info{};
   return dladdr(&kReader, &info) && info.dli_fname ? fs::path(info.dli_fname).parent_path() : fs::path();
 }
 
-/// Beside this program or library, else where it was built, else by name alone, which looks it up in PATH.
+/// Returns the reader beside this program or library, else in its build folder, else its name alone, to be found in
+/// PATH.
 fs::path reader_program() {
   std::error_code error;
   for (const fs::path& folder : {folder_of_this_program(), folder_of_this_code()})
@@ -71,7 +72,7 @@ fs::path reader_program() {
                            ", or name its folder in PATH (it is installed with the library, in bin)");
 }
 
-/// Ten times what the slowest format takes, of memory up to what TetGen may take.
+/// Returns limits of ten times the needs of the slowest format, with as much memory as TetGen may take.
 ProcessLimits limits_for(std::uintmax_t file_size) {
   const auto bytes = static_cast<std::int64_t>(file_size);
   return {20 + 5e-6 * static_cast<double>(bytes),

@@ -31,7 +31,7 @@ std::string unescaped(std::string_view token) {
   throw InputError(place, "is no known field", suggestion(key, known));
 }
 
-/// The child of `parent`, or null.
+/// Returns the child of `parent`, or null.
 template <class AnyJson>
 AnyJson* child_of(AnyJson& parent, const std::string& key) {
   if (parent.is_object()) {
@@ -44,7 +44,7 @@ AnyJson* child_of(AnyJson& parent, const std::string& key) {
   return good && index < parent.size() ? &parent[index] : nullptr;
 }
 
-/// The keys of an RFC 6901 pointer.
+/// Returns the keys of an RFC 6901 pointer.
 std::vector<std::string> pointer_keys(std::string_view pointer) {
   std::vector<std::string> keys;
   while (!pointer.empty()) {
@@ -63,7 +63,7 @@ Json& value_at(Json& document, const Json& in_full, const std::string& pointer, 
   std::string place;
   for (const std::string& key : pointer_keys(pointer)) {
     if (!value->is_structured() && full && full->is_structured()) *value = *full;
-    if (value->is_null()) *value = Json::object();  // an optional part that the scene does not have yet
+    if (value->is_null()) *value = Json::object();  // optional part that the scene does not have yet
     const Json* full_child = full ? child_of(*full, key) : nullptr;
     if (full_child && value->is_object() && !value->contains(key)) (*value)[key] = *full_child;
     place = json_pointer(place, key);

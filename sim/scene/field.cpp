@@ -13,7 +13,8 @@ std::string number_text(double value) {
   return text;
 }
 
-/// Insertions, deletions and substitutions of a character that turn `a` into `b` (Levenshtein 1966).
+/// Returns the number of insertions, deletions and substitutions of a character that turn `a` into `b` (Levenshtein
+/// 1966).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), 0);
@@ -47,7 +48,7 @@ std::string quoted_list(std::span<const std::string_view> names) {
 }
 
 std::string suggestion(std::string_view name, std::span<const std::string_view> known) {
-  // A longer name is a different word, not a slip; it also bounds the work.
+  // A longer name is a different word, not a typo. The limit also bounds the work.
   constexpr std::size_t kLongestSlip = 64;
   std::string_view best;
   std::size_t best_distance = std::max<std::size_t>(2, name.size() / 3) + 1;

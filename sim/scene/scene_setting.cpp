@@ -19,7 +19,7 @@ std::string scene_pointer(const std::string& text, const std::string& where) {
 std::string setting_value(const std::string& word) {
   const Json value = Json::parse(word, nullptr, false);
   if (value.is_discarded()) return Json(word).dump(-1, ' ', false, Json::error_handler_t::replace);
-  std::string line = word;  // between JSON's values line breaks are but blanks
+  std::string line = word;  // line breaks between JSON's values are mere blanks
   std::ranges::replace_if(
       line, [](char c) { return c == '\n' || c == '\r'; }, ' ');
   return line;

@@ -10,7 +10,7 @@
 namespace griffith {
 namespace {
 
-/// The planes of an object's triangles, each once, the largest triangle of each first: it gives the plane best.
+/// Returns the distinct planes of an object's triangles, from the largest triangle of each, which is most accurate.
 std::vector<HalfSpace> planes_of(const TriangleSurface& surface, const Vec3& center, double tolerance) {
   constexpr double kNearlyParallel = 0.999;
   std::vector<int> order(surface.triangles.size());
@@ -34,7 +34,7 @@ std::vector<HalfSpace> planes_of(const TriangleSurface& surface, const Vec3& cen
   return planes;
 }
 
-/// A tet that holds the box with much room.
+/// Returns a tet that contains the box with a wide margin.
 ConvexPolyhedron far_around(const Eigen::AlignedBox3d& box) {
   const double reach = 20 * box.diagonal().norm();
   const Vec3 center = box.center();
@@ -52,7 +52,7 @@ void require_convex(const ObjectCell& cell, const TriangleSurface& surface, doub
     }
 }
 
-/// Whether the triangles have the area of the cell's faces: none is missing, none is there twice.
+/// Throws unless the triangles have the area of the cell's faces: none is missing or duplicate.
 void require_closed(const ObjectCell& cell, const TriangleSurface& surface, const std::string& where) {
   constexpr double kFraction = 1e-3;
   double area = 0;

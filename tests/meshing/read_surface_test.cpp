@@ -64,7 +64,7 @@ std::string binary_stl_of(const TriangleSurface& s) {
   return bytes;
 }
 
-/// A glTF file with its numbers in a .bin beside it, moved by a node's translation.
+/// Returns a glTF file with its numbers in a .bin beside it, moved by a node's translation.
 std::string gltf_of(const TriangleSurface& s, const std::filesystem::path& folder, const Vec3& translation) {
   std::string bytes;
   for (const Vec3& p : s.points)
@@ -91,7 +91,7 @@ std::filesystem::path written(const std::filesystem::path& path, const std::stri
   return path;
 }
 
-/// The message of the InputError that reading throws, or "".
+/// Returns the message of the InputError that reading throws, or "".
 std::string message_of(const std::filesystem::path& path) {
   try {
     read_surface(path);
@@ -113,7 +113,7 @@ TEST(ReadSurface, EveryFormatGivesTheSameBox) {
                                                     written(folder / "box.gltf", gltf_of(box, folder, Vec3(0, 0, 0)))};
   for (const auto& file : files) {
     const TriangleSurface read = read_surface(file);
-    EXPECT_EQ(read.points.size(), 8u) << file;  // a soup is welded
+    EXPECT_EQ(read.points.size(), 8u) << file;  // points are merged
     EXPECT_EQ(read.triangles.size(), 12u) << file;
     EXPECT_NEAR(enclosed_volume(read), 6, 1e-6) << file;
     EXPECT_NEAR(surface_area(read), 22, 1e-6) << file;
@@ -145,7 +145,7 @@ TEST(Polygon, EarsCoverExactlyThePolygon) {
   unsigned state = 9;
   const auto next = [&] { return (state = state * 1664525 + 1013904223) / 4294967296.0; };
   for (int sample = 0; sample < 100; ++sample) {
-    const int count = 3 + sample % 12;  // a star: random radii round the centre
+    const int count = 3 + sample % 12;  // a star: random radii around the center
     std::vector<Vec3> corners;
     double area = 0, covered = 0;
     for (int i = 0; i < count; ++i) {
@@ -157,7 +157,7 @@ TEST(Polygon, EarsCoverExactlyThePolygon) {
     EXPECT_EQ(triangles.size(), corners.size() - 2);
     for (const auto& [a, b, c] : triangles) {
       const double part = area_vector({corners[a], corners[b], corners[c]}).z();
-      EXPECT_GE(part, -1e-12);  // all turn alike, so an equal sum means that nothing is covered twice
+      EXPECT_GE(part, -1e-12);  // all have one orientation, so an equal sum means that nothing is covered twice
       covered += part;
     }
     EXPECT_NEAR(covered, area, 1e-12);
@@ -182,7 +182,7 @@ TEST(ReadSurface, EachUnusableFileHasItsOwnMessage) {
   EXPECT_FALSE(message_of(written(folder / "cut.stl", cut)).empty());
 }
 
-/// One file of each kind, and what lies beside it, all of the same box.
+/// Returns one file of each kind, with its companions, all of the same box.
 std::vector<std::pair<std::string, std::string>> good_files(const std::filesystem::path& folder) {
   const TriangleSurface box = box_surface(Vec3::Zero(), Vec3::Ones());
   write_off(box, folder / "box.off");
@@ -195,7 +195,7 @@ std::vector<std::pair<std::string, std::string>> good_files(const std::filesyste
           {"a.gltf", gltf_of(box, folder, Vec3::Zero())}};
 }
 
-/// Whether a file is read, with corners that exist, or refused with a problem and a remedy. Nothing else may happen.
+/// True if a file is read, with valid corners, or rejected with a problem and a remedy. Nothing else may happen.
 bool read_or_refused(const std::filesystem::path& file) {
   try {
     const TriangleSurface surface = read_surface(file);
@@ -248,7 +248,7 @@ TEST(ReadSurface, AReaderThatNeedsTooMuchMemoryIsToldSo) {
   }
 }
 
-/// Without that, the reader would wait for the pipe's writer.
+/// Otherwise the reader would wait for the pipe's writer.
 TEST(ReadSurface, APipeThatASurfaceNamesForItsMaterialsIsPassedOver) {
   const auto folder = test_folder();
   std::filesystem::remove(folder / "pipe.mtl");

@@ -91,7 +91,7 @@ TEST(SceneReader, ReportsValuesThatCannotBe) {
        {R"({"version": 1, "bodies": [{"shape": {"box": {"size": [1, 1, 1e5], "element_size": 0.001}}}]})",
         "doc#/bodies/0/shape/box/element_size", "2 million"},
        {R"({"version": 1, "bodies": [{"supports": [{"region": {"box": {"minimum": [0, 1, 0]}}}]}]})",
-        "doc#/bodies/0/supports/0/region/box", "maximum lies below the minimum"},
+        "doc#/bodies/0/supports/0/region/box", "maximum is below the minimum"},
        {R"({"version": 1, "bodies": [{"supports": [{"velocity": [0, 1, 0]}]}]})", "doc#/bodies/0/supports/0/velocity",
         "\"kind\": \"prescribed\""},
        {R"({"version": 1, "bodies": [{"loads": [{"kind": "traction", "pressure": 7}]}]})",

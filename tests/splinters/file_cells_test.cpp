@@ -39,9 +39,9 @@ TEST(FileCells, TwoBoxesMeetInAWall) {
   ASSERT_EQ(cells.size(), 2u);
   int inner = 0;
   for (const CellWall& wall : cells[0].walls) {
-    if (wall.neighbour < 0) continue;
+    if (wall.neighbor < 0) continue;
     ++inner;
-    EXPECT_EQ(wall.neighbour, 1);
+    EXPECT_EQ(wall.neighbor, 1);
     EXPECT_NEAR(wall.inside.distance(Vec3(1, 0.3, 0.2)), 1, 1e-6);
   }
   EXPECT_EQ(inner, 1);
@@ -51,8 +51,8 @@ TEST(FileCells, TwoBoxesMeetInAWall) {
   EXPECT_NEAR(extent, 2, 1e-5) << "scaled";
 }
 
-/// A side of a brick in running bond has several neighbours, each of which covers its own part of it.
-TEST(FileCells, ASideMayHaveSeveralNeighbours) {
+/// A side of a brick in running bond has several neighbors, each of which covers its own part of it.
+TEST(FileCells, ASideMayHaveSeveralNeighbors) {
   const CellPartition cells =
       read_cells(write_cells(file("three.obj"), {kLeft, box_cell("low", Vec3(0, -1, -1), Vec3(1, 0.2, 1)),
                                                  box_cell("high", Vec3(0, 0.2, -1), Vec3(1, 1, 1))}),
