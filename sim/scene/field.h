@@ -23,6 +23,9 @@ constexpr Numbers between(double minimum, double maximum, std::string_view unit 
   return {.minimum = minimum, .maximum = maximum, .unit = unit};
 }
 
+inline constexpr Numbers kPlace = between(-1e6, 1e6, "m");
+inline constexpr Numbers kDirection = {.minimum = -1e6, .maximum = 1e6, .unit = "-", .nonzero = true};
+
 /// Text of at least `minimum_length` bytes.
 struct Text {
   int minimum_length = 0;

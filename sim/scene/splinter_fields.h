@@ -16,16 +16,14 @@ void describe(Archive& archive, VoronoiSplinters& shards) {
   archive.field("size", shards.size, kSplinterLength, "Size of a splinter across the grain");
   archive.field("jitter", shards.jitter, kJitter, "Irregularity: 0 makes cubes, 1 random shards");
   archive.field("seed", shards.seed, kSeed, "Seed of the random numbers");
-  archive.field("grain", shards.grain, Numbers{.minimum = -1e6, .maximum = 1e6, .unit = "-", .nonzero = true},
-                "Direction of elongation; any length but 0");
+  archive.field("grain", shards.grain, kDirection, "Direction of elongation; any length but 0");
   archive.field("elongation", shards.elongation, between(1, 1000, "-"), "Length over width");
 }
 
 template <class Archive>
 void describe(Archive& archive, RadialSplinters& rings) {
-  archive.field("center", rings.center, between(-1e6, 1e6, "m"), "Point of the axis");
-  archive.field("axis", rings.axis, Numbers{.minimum = -1e6, .maximum = 1e6, .unit = "-", .nonzero = true},
-                "Direction of the axis; any length but 0");
+  archive.field("center", rings.center, kPlace, "Point of the axis");
+  archive.field("axis", rings.axis, kDirection, "Direction of the axis; any length but 0");
   archive.field("sectors", rings.sectors, between(4, 1000), "Splinters in a ring");
   archive.field("first_ring", rings.first_ring, kSplinterLength, "Radius of the innermost ring");
   archive.field("growth", rings.growth, between(1, 10, "-"), "Width of each ring over that of the next inner one");
@@ -37,7 +35,7 @@ template <class Archive>
 void describe(Archive& archive, BrickSplinters& bricks) {
   archive.field("size", bricks.size, kSplinterLength, "Edge lengths of a brick along x, y, z, without mortar");
   archive.field("mortar", bricks.mortar, between(0, 1e5, "m"), "Width of the joints; each breaks along with a brick");
-  archive.field("origin", bricks.origin, between(-1e6, 1e6, "m"), "Lower corner of a brick");
+  archive.field("origin", bricks.origin, kPlace, "Lower corner of a brick");
   archive.require(bricks.mortar < bricks.size.minCoeff(), "mortar", "is as wide as a brick",
                   "use less than the brick's smallest edge");
 }
