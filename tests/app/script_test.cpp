@@ -12,6 +12,7 @@
 #include "sim/core/read_file.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/scene/scene_writer.h"
+#include "tests/input_error_of.h"
 
 namespace griffith::app {
 namespace {
@@ -19,12 +20,7 @@ namespace {
 using ::testing::HasSubstr;
 
 std::string problem_of(const std::string& text) {
-  try {
-    parse_script(text, "a.script");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no problem";
+  return input_error_of([&] { parse_script(text, "a.script"); });
 }
 
 TEST(Script, ReadsEveryVerb) {
@@ -96,12 +92,7 @@ class ScriptPlayerTest : public EditorTest {
   }
 
   std::string failure_of(const std::string& text) {
-    try {
-      play_script(text);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no failure";
+    return input_error_of([&] { play_script(text); });
   }
 };
 

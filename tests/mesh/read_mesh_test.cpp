@@ -11,6 +11,7 @@
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/topology.h"
 #include "sim/mesh/write_mesh.h"
+#include "tests/input_error_of.h"
 #include "tests/mesh/cell_files.h"
 #include "tests/mesh/sample_files.h"
 #include "tests/random_values.h"
@@ -32,12 +33,7 @@ TetSoup random_soup(int cells) {
 }
 
 std::string error_of(const std::filesystem::path& path) {
-  try {
-    read_mesh(path);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return input_error_of([&] { read_mesh(path); });
 }
 
 TEST(ReadMeshTest, EveryFormatGivesTheSameMeshToTheLastBit) {

@@ -10,6 +10,7 @@
 #include "sim/meshing/surface.h"
 #include "sim/meshing/surface_objects.h"
 #include "surfaces.h"
+#include "tests/input_error_of.h"
 
 namespace griffith {
 namespace {
@@ -93,12 +94,7 @@ std::filesystem::path written(const std::filesystem::path& path, const std::stri
 
 /// Returns the message of the InputError that reading throws, or "".
 std::string message_of(const std::filesystem::path& path) {
-  try {
-    read_surface(path);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return input_error_of([&] { read_surface(path); });
 }
 
 TEST(ReadSurface, EveryFormatGivesTheSameBox) {
@@ -179,7 +175,7 @@ TEST(ReadSurface, EachUnusableFileHasItsOwnMessage) {
               HasSubstr("not finite"));
   std::string cut = binary_stl_of(box_surface(Vec3::Zero(), Vec3::Ones()));
   cut.resize(200);
-  EXPECT_FALSE(message_of(written(folder / "cut.stl", cut)).empty());
+  EXPECT_NE(message_of(written(folder / "cut.stl", cut)), "no error");
 }
 
 /// Returns one file of each kind, with its companions, all of the same box.
@@ -271,7 +267,7 @@ TEST(ReadSurface, BuffersOutsideTheSurfacesFolderAreRefused) {
   EXPECT_THAT(message_of(named("link.bin")), HasSubstr("outside its folder"));
   std::filesystem::create_directories(folder / "below");
   std::filesystem::rename(root / "box.bin", folder / "below/box.bin");
-  EXPECT_EQ(message_of(named("below/box.bin")), "");
+  EXPECT_EQ(message_of(named("below/box.bin")), "no error");
 }
 
 TEST(ReadSurface, CanBeCancelled) {

@@ -6,6 +6,7 @@
 #include "sim/scene/scene_reader.h"
 #include "sim/scene/scene_writer.h"
 #include "tests/files/test_folder.h"
+#include "tests/input_error_of.h"
 
 namespace griffith {
 namespace {
@@ -27,11 +28,8 @@ Scene with(const std::vector<std::string>& texts) {
 }
 
 /// The message of the error that `texts` make; empty where they make none.
-std::string refusal(const std::vector<std::string>& texts) try {
-  with(texts);
-  return {};
-} catch (const InputError& error) {
-  return error.what();
+std::string refusal(const std::vector<std::string>& texts) {
+  return input_error_of([&] { with(texts); });
 }
 
 TEST(SceneSetting, ChangesTheFieldAndNothingElse) {
