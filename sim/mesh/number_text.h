@@ -22,6 +22,20 @@ void append_number(std::string& text, T value, char end) {
   text += end;
 }
 
+/// Returns the shortest text that reads back as the same number.
+inline std::string number_text(double value) {
+  std::string text;
+  append_number(text, value);
+  return text;
+}
+
+/// Returns a number rounded to at most `digits` significant digits: "0.25", "1e+06".
+inline std::string rounded_text(double value, int digits) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
+}
+
 /// Returns a count with separators: "8,012".
 inline std::string count_text(long long count) {
   std::string digits = std::to_string(count);

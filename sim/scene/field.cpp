@@ -1,17 +1,12 @@
 #include "sim/scene/field.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <numeric>
+
+#include "sim/mesh/number_text.h"
 
 namespace griffith {
 namespace {
-
-std::string number_text(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
 
 /// Returns the number of insertions, deletions and substitutions of a character that turn `a` into `b` (Levenshtein
 /// 1966).
@@ -33,7 +28,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string range_text(const Numbers& numbers) {
-  std::string text = "from " + number_text(numbers.minimum) + " to " + number_text(numbers.maximum);
+  std::string text = "from " + rounded_text(numbers.minimum, 6) + " to " + rounded_text(numbers.maximum, 6);
   if (!numbers.unit.empty() && numbers.unit != "-") text += std::string(" ").append(numbers.unit);
   return text;
 }
