@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const fs::path& path, int error) {
   throw InputError(path.string(), "cannot be written: " + std::generic_category().message(error),
-                   "choose a folder that exists, may be written to and has room");
+                   "choose an existing, writable folder with free space");
 }
 
 fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : "."; }

@@ -54,14 +54,14 @@ void remove_stale_folders(const fs::path& among) {
 }  // namespace
 
 TemporaryFolder::TemporaryFolder() {
-  constexpr char kRemedy[] = "TMPDIR has to name a folder that may be written to and has room; without it that is /tmp";
+  constexpr char kRemedy[] = "set TMPDIR to a writable folder with free space; the default is /tmp";
   std::error_code error;
   const fs::path folder = fs::temp_directory_path(error);
   if (error) throw InputError("TMPDIR", "names no folder for temporary files", kRemedy);
   remove_stale_folders(folder);
   std::string name = (folder / kStart).string() + "XXXXXX";
   if (mkdtemp(name.data()) == nullptr)
-    throw InputError(name, "cannot be made: " + std::generic_category().message(errno), kRemedy);
+    throw InputError(name, "cannot be created: " + std::generic_category().message(errno), kRemedy);
   path_ = name;
   const Descriptor lock = lock_of(path_);
   lock_ = fcntl(lock.number(), F_DUPFD_CLOEXEC, 0);  // keeps the lock

@@ -109,7 +109,7 @@ void check_volumes_and_orient(TetSoup& soup, const std::string& name, MeshReport
   if (flat > 0)
     throw InputError(name,
                      "tet " + std::to_string(first_flat) + " (nodes " + list_nodes(soup.tets[first_flat]) +
-                         ") has no volume; " + std::to_string(flat) + " such in all",
+                         ") has no volume; " + std::to_string(flat) + " such in total",
                      "remove flat tetrahedra or mesh again");
 }
 
@@ -241,7 +241,7 @@ std::vector<std::string> findings(const MeshReport& report) {
   add(report.removed_tets, " tets repeated an earlier one; removed");
   add(report.removed_nodes, " nodes belonged to no tet; removed");
   add(report.coincident_nodes, " nodes lie on another node: a slit, or parts that are not joined");
-  add(report.overlapping_faces, " faces have both tets on the same side: matter overlaps");
+  add(report.overlapping_faces, " faces have both tets on the same side: material overlaps");
   add(report.pinched_nodes,
       " nodes joined parts that share no face there; parted, the first at " + place_text(report.first_pinched));
   add(report.pinched_edges, " edges join parts that share no face there");

@@ -41,7 +41,7 @@ BallCells ball_cells(double radius, double element_size, int dimensions, const c
   const BallCells cells = {std::max(2, cell_count(1.2 * radius, element_size, what)),
                            cell_count(0.45 * radius, element_size, what)};
   const double total = std::pow(cells.core, dimensions - 1) * (cells.core + 2.0 * dimensions * cells.shells);
-  if (total > kMaxCells) throw InputError(what, "the element size asks for too many cells", "make the elements larger");
+  if (total > kMaxCells) throw InputError(what, "the element size requires too many cells", "make the elements larger");
   return cells;
 }
 
@@ -81,7 +81,7 @@ void add_rings(std::vector<PlanarCell>& cells, const std::vector<PlanarNode>& lo
 HexMesh sweep(const std::vector<PlanarCell>& cells, const std::function<Vec2(const PlanarNode&)>& position,
               double length, int levels) {
   if (double(cells.size()) * levels > kMaxCells)
-    throw InputError("swept shape", "the element size asks for too many cells", "make the elements larger");
+    throw InputError("swept shape", "the element size requires too many cells", "make the elements larger");
   HexMeshBuilder builder;
   for (int level = 0; level < levels; ++level)
     for (const PlanarCell& cell : cells) {
@@ -215,7 +215,7 @@ TetSoup make_plate_with_hole(const Vec3& size, double hole_radius, const Vec2& e
   const auto [nx, ny] = plate.cells;
   const auto [beyond_x, beyond_y] = plate.cells_beyond;
   if (double(plate.rings) * (nx + ny) * 2 * levels > kMaxCells)
-    throw InputError("plate with hole", "the element size asks for too many cells", "make the elements larger");
+    throw InputError("plate with hole", "the element size requires too many cells", "make the elements larger");
   std::vector<PlanarCell> cells;
   add_rings(cells, perimeter(nx, ny), plate.rings);
   add_lattice(cells, -beyond_x, 0, 0, ny);

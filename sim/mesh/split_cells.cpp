@@ -184,8 +184,8 @@ void split_cells(MeshFile& file, const std::string& name) {
   if (folded > 0)
     throw InputError(name,
                      "the cell of nodes " + node_list(*first_folded) + " overlaps itself or has no volume; " +
-                         std::to_string(folded) + " such in all",
-                     "mesh again, or into tetrahedra");
+                         std::to_string(folded) + " such in total",
+                     "generate the mesh again, or as tetrahedra");
   file.report.tets_of_split = static_cast<std::int64_t>(file.soup.tets.size() - before);
   file.cells.clear();
 }

@@ -24,7 +24,7 @@ Index3 plus_one(const Index3& size) { return {size[0] + 1, size[1] + 1, size[2] 
 BccLattice::BccLattice(const Eigen::AlignedBox3d& box, double cube_edge, const std::string& name) : edge_(cube_edge) {
   const Vec3 counts = (box.sizes() / cube_edge).array().ceil() + 2;
   if (!(counts.prod() <= kMaxCells))
-    throw InputError(name, "would take more than 10 million cells", "give a larger element size");
+    throw InputError(name, "would take more than 10 million cells", "use a larger element size");
   for (int axis = 0; axis < 3; ++axis) cells_[axis] = static_cast<int>(counts[axis]);
   origin_ = box.center() - cube_edge / 2 * counts;
   middle_count_ = cells_[0] * cells_[1] * cells_[2];

@@ -132,10 +132,10 @@ std::vector<SurfaceObject> import_objects(const std::filesystem::path& path) {
   rethrow_bad_alloc(importer);
   if (scene == nullptr && !files->refused().empty())
     throw InputError(path.string(), "needs the file \"" + files->refused() + "\", which is outside its folder",
-                     "put it beside the surface: what a surface names is read from its folder alone");
+                     "put it beside the surface: files named by a surface are only read from its folder");
   if (scene == nullptr || scene->mRootNode == nullptr)
     throw InputError(path.string(), std::string("cannot be read: ") + importer.GetErrorString(),
-                     "check that the file's content is what its ending says");
+                     "check that the file's content matches its suffix");
   require_known_vertices(*scene, path);
   std::vector<SurfaceObject> objects;
   add_objects(*scene, *scene->mRootNode, aiMatrix4x4(), objects);

@@ -56,7 +56,7 @@ TetgenResult try_tetgen(const TriangleSurface& surface, const SurfaceReport& rep
 void require_reasonable_count(double volume, double element_size, const MeshingSetup& setup) {
   const double tets = 12 * std::abs(volume) / (element_size * element_size * element_size);
   if (tets > static_cast<double>(kMaxTets))
-    throw InputError(setup.name, std::string("would take more than ") + kMaxTetsText, "give a larger element size");
+    throw InputError(setup.name, std::string("would take more than ") + kMaxTetsText, "use a larger element size");
 }
 
 /// Returns the reason why the lattice replaced TetGen; else empty.
@@ -83,7 +83,7 @@ FilledSurface fill(const TriangleSurface& surface, const SurfaceReport& report, 
     if (options.method == MeshingMethod::tetgen)
       throw InputError(
           setup.name, "TetGen cannot mesh it: " + result.refusal,
-          (result.remedy.empty() ? "repair the surface" : result.remedy) + ", or take the method volumetric");
+          (result.remedy.empty() ? "repair the surface" : result.remedy) + ", or use the method volumetric");
     filled.refusal = result.refusal;
     filled.remedy = result.remedy;
   }

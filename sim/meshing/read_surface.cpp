@@ -45,7 +45,7 @@ void require_finite(const TriangleSurface& surface, const std::filesystem::path&
 TriangleSurface read_surface(const std::filesystem::path& path, double scale, const Monitor& monitor) {
   TriangleSurface surface = joined(read_surface_objects(path, monitor));
   if (surface.triangles.empty())
-    throw InputError(path.string(), "holds no triangles", "export the surface's faces, not its points or lines alone");
+    throw InputError(path.string(), "holds no triangles", "export the surface's faces, not only points or lines");
   for (Vec3& point : surface.points) point *= scale;
   require_finite(surface, path);
   weld_points(surface);

@@ -35,7 +35,7 @@ void require_known_file(const fs::path& path) {
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return std::tolower(c); });
   if (std::find(kFormats.begin(), kFormats.end(), extension) == kFormats.end())
-    throw InputError(path.string(), "is no surface format known here", ".obj, .stl, .ply, .off, .gltf or .glb");
+    throw InputError(path.string(), "is not a known surface format", ".obj, .stl, .ply, .off, .gltf or .glb");
   const std::uintmax_t size = fs::file_size(path);
   if (size == 0) throw InputError(path.string(), "is empty", "export the surface again");
   if (size > kMaxBytes) throw InputError(path.string(), "is larger than a gigabyte", "export it with fewer triangles");
@@ -83,8 +83,7 @@ void require_success(const ProcessOutcome& outcome, const ProcessLimits& limits,
   if (outcome.end == ProcessOutcome::End::cancelled) throw Cancelled();
   if (outcome.end == ProcessOutcome::End::out_of_time) {
     const std::string seconds = std::to_string(static_cast<int>(limits.seconds));
-    throw InputError(path.string(), "cannot be read: its reader did not come to an end within " + seconds + " s",
-                     kRemedy);
+    throw InputError(path.string(), "cannot be read: its reader did not finish within " + seconds + " s", kRemedy);
   }
   if (outcome.end == ProcessOutcome::End::killed_by_signal)
     throw InputError(path.string(), "cannot be read: its reader was ended by signal " + std::to_string(outcome.code),

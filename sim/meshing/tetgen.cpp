@@ -85,13 +85,13 @@ std::optional<TetgenResult> beyond_limits(const ProcessOutcome& outcome, const P
     std::snprintf(amount, sizeof amount, "%.3g s", limits.seconds);
     return TetgenResult{{},
                         std::string("TetGen did not finish within the time limit of ") + amount,
-                        "give a larger element size or time limit"};
+                        "use a larger element size or time limit"};
   }
   if (ran_out_of_memory(outcome, limits)) {
     std::snprintf(amount, sizeof amount, "%.0f MB", static_cast<double>(limits.memory_bytes) / kMegabyte);
     return TetgenResult{{},
                         std::string("TetGen needs more than the memory limit of ") + amount,
-                        "give a larger element size or memory limit"};
+                        "use a larger element size or memory limit"};
   }
   return std::nullopt;
 }

@@ -118,7 +118,7 @@ class AssetCollector {
     const bool outside = fs::exists(file, ignored) && !is_within(folder_, file);
     if (outside && !folder_.empty() && outside_ == OutsideFiles::refuse)
       throw InputError(file.string(),
-                       "is outside the scene's folder " + folder_.string() + ", and is not packed unasked",
+                       "is outside the scene's folder " + folder_.string() + ", and is not packed by default",
                        "copy it into that folder and name it there, or pack it with --pack-outside");
     return read_file(file);
   }

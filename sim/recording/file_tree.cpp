@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kOtherFile[] = "is it the file that was meant?";
+constexpr char kOtherFile[] = "is it the intended file?";
 
 using Reader = std::unique_ptr<archive, decltype(&archive_read_free)>;
 using Writer = std::unique_ptr<archive, decltype(&archive_write_free)>;
@@ -25,7 +25,7 @@ using Entry = std::unique_ptr<archive_entry, decltype(&archive_entry_free)>;
 
 [[noreturn]] void fail(archive* archive, const std::string& where) {
   const char* reason = archive_error_string(archive);
-  throw InputError(where, std::string("is no whole recording: ") + (reason ? reason : "damaged"), kOtherFile);
+  throw InputError(where, std::string("is not a complete recording: ") + (reason ? reason : "damaged"), kOtherFile);
 }
 
 void check(int result, archive* archive, const std::string& where) {
@@ -102,7 +102,7 @@ std::string path_of_entry(archive_entry* entry, const std::string& where) {
   if (!stays_below(path))
     throw InputError(where, "holds a file of the name \"" + path + "\"", "paths in a recording lead nowhere else");
   if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry) || archive_entry_symlink(entry))
-    throw InputError(where, "holds \"" + path + "\", which is no regular file", kOtherFile);
+    throw InputError(where, "holds \"" + path + "\", which is not a regular file", kOtherFile);
   return path;
 }
 
@@ -112,7 +112,7 @@ void make_folder(const fs::path& folder, std::vector<fs::path>& made) {
   if (folder.empty() || fs::is_directory(folder, error)) return;
   make_folder(folder.parent_path(), made);
   if (fs::create_directory(folder, error)) return made.push_back(folder);
-  throw InputError(folder.string(), "cannot be made a folder: " + error.message(),
+  throw InputError(folder.string(), "cannot be created as a folder: " + error.message(),
                    "name a folder that may be written to");
 }
 

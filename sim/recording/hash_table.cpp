@@ -68,10 +68,10 @@ std::vector<StateHashes> hashes_from_csv(std::string_view text, const std::strin
   while (!text.empty()) {
     const std::size_t step = hashes.size();
     if (!read_row(take_line(text), step, hashes.emplace_back()))
-      throw InputError(where + ":" + std::to_string(step + 2), "is no row of hashes of step " + std::to_string(step),
-                       "take a recording that is as it was written");
+      throw InputError(where + ":" + std::to_string(step + 2), "is not a row of hashes of step " + std::to_string(step),
+                       "use an unchanged recording");
   }
-  if (hashes.empty()) throw InputError(where, "holds no hashes", "take a recording that is as it was written");
+  if (hashes.empty()) throw InputError(where, "holds no hashes", "use an unchanged recording");
   return hashes;
 }
 

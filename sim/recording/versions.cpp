@@ -87,7 +87,7 @@ Versions versions_from_json(std::string_view text, const std::string& where) {
   const Json json = Json::parse(text, nullptr, false);
   const auto is_text = [](const Json& value) { return value.is_string(); };
   if (!json.is_object() || !std::ranges::all_of(json, is_text))
-    throw InputError(where, "is no object of texts", "take a recording that is as it was written");
+    throw InputError(where, "is not an object of strings", "use an unchanged recording");
   Versions versions;
   for (const auto& [name, value] : json.items()) {
     std::string& shown = versions.emplace_back(name, value.get<std::string>()).second;

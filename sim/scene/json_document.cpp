@@ -88,8 +88,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
     weight_ += weight;
     if (weight_ <= kMaxWeight) return true;
     problems_.emplace_back(json_place(file_, pointer(std::min<std::size_t>(levels_.size(), 2))),
-                           "brings the file to more values than any scene or run has",
-                           "is it the file that was meant?");
+                           "brings the file to more values than any scene or run has", "is it the intended file?");
     return false;
   }
 

@@ -57,8 +57,8 @@ std::vector<std::filesystem::path> files_of_mesh(const std::filesystem::path& pa
           std::filesystem::path(path).replace_extension(".ele")};
 }
 
-/// Returns false after a report if there is no regular file, or if a link leads to one outside its folder. A path shows
-/// its target, but a link in a scene from a stranger does not.
+/// Returns false after a report if there is no regular file, or if a link leads to one outside its folder. A path
+/// shows its target, but a link in a scene from a stranger does not.
 bool is_usable(const Place& place, MeshPath kind, const std::filesystem::path& file) {
   std::error_code ignored;
   const std::string shown = "\"" + file.generic_string() + "\"";
@@ -67,7 +67,7 @@ bool is_usable(const Place& place, MeshPath kind, const std::filesystem::path& f
     place.report(names + "there is no " + shown,
                  "put it there or correct the path, which starts at the scene file's folder");
   } else if (!std::filesystem::is_regular_file(file, ignored)) {
-    place.report(names + shown + " is no regular file",
+    place.report(names + shown + " is not a regular file",
                  "put it there or correct the path, which starts at the scene file's folder");
   } else if (!is_within(file.parent_path(), file)) {
     place.report(names + shown + " is a link that leads out of its folder",

@@ -79,7 +79,7 @@ class ObjectReader {
   void finish() {
     for (const auto& [name, value] : place_.json.items()) {
       if (std::ranges::find(known_, name) != known_.end()) continue;
-      place_.child(name, value).report("is no known field", suggestion(name, known_));
+      place_.child(name, value).report("is not a known field", suggestion(name, known_));
     }
     if (has_alternatives_ && alternatives_found_ != 1 && place_.document.problems.size() == problems_before_) {
       place_.report("has " + std::to_string(alternatives_found_) + " of the fields " + quoted_list(known_),
@@ -122,7 +122,7 @@ void read(const Place& place, std::vector<T>& items, Parts parts) {
   constexpr std::size_t kMaxItems = std::is_same_v<T, WorldInput> ? 250'000 : 10'000;
   if (!place.json.is_array()) return place.reject("an array [ ... ]");
   constexpr const char* kTooMany = kMaxItems == 10'000 ? "has more than 10,000 items" : "has more than 250,000 items";
-  if (place.json.size() > kMaxItems) return place.report(kTooMany, "take fewer");
+  if (place.json.size() > kMaxItems) return place.report(kTooMany, "use fewer");
   items.assign(place.json.size(), T{});
   for (std::size_t i = 0; i < items.size(); ++i) {
     read(place.child(std::to_string(i), place.json[i]), items[i], parts);

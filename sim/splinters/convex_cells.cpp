@@ -51,7 +51,7 @@ CellPartition make_cells(const SplinterPattern& pattern, const Eigen::AlignedBox
                          const std::filesystem::path& folder, const std::string& where) try {
   return std::visit(Maker{bounds, folder}, pattern);
 } catch (const TooManyCells&) {
-  throw InputError(where, "would make more than 2 million splinters", "take larger ones");
+  throw InputError(where, "would make more than 2 million splinters", "use larger ones");
 }
 
 void check_cell_count(double cells) {

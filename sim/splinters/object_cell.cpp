@@ -79,7 +79,7 @@ ObjectCell object_cell(const SurfaceObject& object, double tolerance, const std:
   const bool flat = std::ranges::all_of(cell.planes, [&](const HalfSpace& plane) {
     return std::ranges::all_of(surface.points, [&](const Vec3& p) { return std::abs(plane.distance(p)) <= tolerance; });
   });
-  if (flat) throw InputError(where, "has no volume", "give it a thickness, or take it out");
+  if (flat) throw InputError(where, "has no volume", "give it a thickness, or remove it");
   require_convex(cell, surface, tolerance, where);
   cell.polyhedron = far_around(cell.box);
   for (std::size_t i = 0; i < cell.planes.size() && !cell.polyhedron.empty(); ++i)

@@ -175,7 +175,7 @@ TEST(SplitCells, CellsThatOverlapThemselvesAreRefusedWithTheirNumber) {
   mesh.add(hexahedron, {0, 1, 2, 3, 5, 4, 6, 7});
   mesh.add(pyramid, {0, 1, 2, 3, 0});
   EXPECT_THAT(error_of(mesh), HasSubstr("the cell of nodes 0, 1, 2, 3, 5, 4, 6, 7 overlaps itself or has no volume; 2 "
-                                        "such in all (mesh again, or into tetrahedra)"));
+                                        "such in total (generate the mesh again, or as tetrahedra)"));
 }
 
 /// Writes a file, reads it and returns its volume, or the error.

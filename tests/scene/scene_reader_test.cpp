@@ -70,7 +70,7 @@ TEST(SceneReader, ReportsNamesThatAreUnknownOrTaken) {
        {R"({"version": 1, "name": "a", "bodies": [], "name": "b"})", "doc#/name", "appears twice"},
        {R"({"version": 1, "view": {"edges": true, "edges": true}})", "doc#/view/edges", "appears twice"},
        {R"({"version": 1, "bodies": [{}, {"name": "a/b", "name": "~"}]})", "doc#/bodies/1/name", "twice"},
-       {R"({"version": 1, "a/b~c": 1})", "doc#/a~1b~0c", "is no known field"},
+       {R"({"version": 1, "a/b~c": 1})", "doc#/a~1b~0c", "is not a known field"},
        {R"({"version": 1, "bodies": [{"material": "brik"}]})", "doc#/bodies/0/material", "mean \"brick\"?"},
        {R"({"version": 1, "bodies": [{"material": {"preset": "x"}}]})", "doc#/bodies/0/material/preset",
         "\"soda_lime_glass\""},

@@ -72,8 +72,9 @@ TEST(SceneSetting, OneNumberForAVectorMayGetComponents) {
 }
 
 TEST(SceneSetting, RefusalsSayWhatWouldBeRight) {
-  EXPECT_NE(refusal({"projectiles/0/sped=3"}).find("#/projectiles/0/sped: is no known field (did you mean \"speed\"?"),
-            std::string::npos)
+  EXPECT_NE(
+      refusal({"projectiles/0/sped=3"}).find("#/projectiles/0/sped: is not a known field (did you mean \"speed\"?"),
+      std::string::npos)
       << refusal({"projectiles/0/sped=3"});
   EXPECT_NE(refusal({"bodies/2/position/0=3"}).find("has items 0 to 1"), std::string::npos);
   EXPECT_NE(refusal({"projectiles/0/speed/x=3"}).find("single value"), std::string::npos);
@@ -81,8 +82,8 @@ TEST(SceneSetting, RefusalsSayWhatWouldBeRight) {
   EXPECT_NE(refusal({"projectiles/0/speed=fast"}).find("#/projectiles/0/speed"), std::string::npos);
   EXPECT_NE(refusal({"bodies/0/strength_scatter/sed=3"}).find("seed"), std::string::npos);
   EXPECT_NE(refusal({"projectiles/0/speed"}).find("POINTER=VALUE"), std::string::npos);
-  EXPECT_NE(refusal({"=3"}).find("is no pointer"), std::string::npos);
-  EXPECT_NE(refusal({"bodies//0=3"}).find("is no pointer"), std::string::npos);
+  EXPECT_NE(refusal({"=3"}).find("is not a pointer"), std::string::npos);
+  EXPECT_NE(refusal({"bodies//0=3"}).find("is not a pointer"), std::string::npos);
 }
 
 TEST(SceneSetting, AValueIsWhatTheSceneSaysOrMeans) {
