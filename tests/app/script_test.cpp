@@ -228,7 +228,7 @@ class RandomActions : public EditorTest {
     draw();
   }
 
-  /// Of what is opened, saved, recorded or exported: some are there, some are damaged, some cannot be.
+  /// Returns a path to open, save, record or export: some exist, some are damaged, some are impossible.
   std::filesystem::path any_path() {
     const std::filesystem::path paths[] = {
         "any.json",
@@ -249,7 +249,7 @@ class RandomActions : public EditorTest {
     return paths[below(std::size(paths))];
   }
 
-  /// Nothing that was meant to be temporary is left, and no file is cut short.
+  /// Checks that no temporary file is left, and no file is truncated.
   static void check_files() {
     for (const auto& entry : std::filesystem::directory_iterator(".")) {
       EXPECT_FALSE(entry.path().filename().string().starts_with(".griffith_")) << entry.path();

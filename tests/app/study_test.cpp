@@ -195,7 +195,7 @@ TEST(Proportion, WilsonsIntervalAgainstClosedValues) {
   expect(0, 0, 0, 1);
 }
 
-/// What holds at some values, with a count of how often it is asked.
+/// Condition that holds at some values, with a count of calls.
 struct Asked {
   std::function<bool(double)> holds;
   int count = 0;

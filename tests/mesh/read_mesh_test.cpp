@@ -206,13 +206,13 @@ TEST(ReadMeshTest, ManyOpenArraysAreAnsweredAtOnce) {
   EXPECT_THAT(error_of(folder.path() / "a.vtu"), HasSubstr("no error"));
 }
 
-TEST(ReadMeshTest, TellsWhatIsMissingOrUnknown) {
+TEST(ReadMeshTest, ReportsMissingAndUnknownFiles) {
   TemporaryFolder folder;
   EXPECT_THAT(error_of(folder.path() / "none.msh"), HasSubstr("none.msh: no such file"));
   EXPECT_THAT(error_of(folder.path() / "none"), HasSubstr("no such file or folder"));
   EXPECT_THAT(error_of(folder.path()), HasSubstr("verts.csv: no such file"));
   folder.write("a.stl", "solid");
-  EXPECT_THAT(error_of(folder.path() / "a.stl"), HasSubstr("no mesh format known here (.node, .ele, .msh"));
+  EXPECT_THAT(error_of(folder.path() / "a.stl"), HasSubstr("not a known mesh format (.node, .ele, .msh"));
 }
 
 /// Whatever the bytes, reading ends with a mesh that holds its invariants or with an InputError.

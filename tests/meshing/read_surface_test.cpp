@@ -166,7 +166,7 @@ TEST(ReadSurface, EachUnusableFileHasItsOwnMessage) {
   const auto folder = test_folder();
   EXPECT_THAT(message_of(folder / "none.obj"), HasSubstr("none.obj: no such file"));
   EXPECT_THAT(message_of(folder), HasSubstr("is a folder"));
-  EXPECT_THAT(message_of(written(folder / "box.fbx", "x")), HasSubstr("no surface format known here (.obj, .stl"));
+  EXPECT_THAT(message_of(written(folder / "box.fbx", "x")), HasSubstr("not a known surface format (.obj, .stl"));
   EXPECT_THAT(message_of(written(folder / "empty.ply", "")), HasSubstr("empty.ply: is empty"));
   EXPECT_THAT(message_of(written(folder / "words.ply", "These are words.")), HasSubstr("cannot be read"));
   EXPECT_THAT(message_of(written(folder / "points.obj", "v 0 0 0\nv 1 0 0\np 1 2\n")), HasSubstr("triangles"));
@@ -230,7 +230,7 @@ TEST(ReadSurface, AReaderThatTakesTooLongIsEnded) {
     read_surface_objects(large_file(), {}, ProcessLimits{0.02, std::int64_t{1} << 30});
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.problem(), HasSubstr("did not come to an end"));
+    EXPECT_THAT(error.problem(), HasSubstr("did not finish"));
     EXPECT_THAT(error.remedy(), HasSubstr("export the surface again"));
   }
 }

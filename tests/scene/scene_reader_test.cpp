@@ -77,7 +77,7 @@ TEST(SceneReader, ReportsNamesThatAreUnknownOrTaken) {
        {R"({"version": 1, "materials": {"mine": {}}, "bodies": [{"material": "unobtainium"}]})",
         "doc#/bodies/0/material", "\"mine\""},
        {R"({"version": 1, "materials": {"brick": {}}})", "doc#/materials/brick", "another name"},
-       {R"({"version": 1, "materials": {"mine": {"name": "a"}}})", "doc#/materials/mine/name", "no known"}});
+       {R"({"version": 1, "materials": {"mine": {"name": "a"}}})", "doc#/materials/mine/name", "not a known"}});
 }
 
 TEST(SceneReader, ReportsValuesThatCannotBe) {
@@ -275,9 +275,9 @@ TEST(SceneReader, LimitsHoldForTheWholeScene) {
   };
   const std::string box = R"({"name": "#", "shape": {"box": {"size": [5, 5, 5], "element_size": 0.1}}})";  // 625,000
   EXPECT_THAT(with("bodies", list_of(6, box)), testing::IsEmpty());
-  EXPECT_THAT(with("bodies", list_of(7, box)).at(0).problem(), HasSubstr("4 million tetrahedra in all"));
+  EXPECT_THAT(with("bodies", list_of(7, box)).at(0).problem(), HasSubstr("4 million tetrahedra in total"));
   EXPECT_THAT(with("projectiles", list_of(2, R"({"count": 5000})")), testing::IsEmpty());
-  EXPECT_THAT(with("projectiles", list_of(3, R"({"count": 5000})")).at(0).problem(), HasSubstr("10,000 in all"));
+  EXPECT_THAT(with("projectiles", list_of(3, R"({"count": 5000})")).at(0).problem(), HasSubstr("10,000 in total"));
   for (const char* field : {"bodies", "projectiles", "probes", "cameras"}) {
     const auto problems = with(field, list_of(10'001, "{}"));
     EXPECT_EQ(places(problems), std::vector{std::string("doc#/") + field});
