@@ -58,7 +58,7 @@ std::string add_cell(const VtkType& type, std::span<const std::int64_t> points, 
   return {};
 }
 
-/// Polyhedra, and what VTK may have besides.
+/// Returns a problem if there are polyhedra or other unsupported cells of VTK; else an empty text.
 std::string unknown_cells(const VtkCells& cells) {
   const auto is_unknown = [](std::int64_t type) { return type != kEmptyCell && vtk_type(type) == nullptr; };
   const auto first = std::ranges::find_if(cells.types, is_unknown);
