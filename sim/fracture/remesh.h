@@ -11,8 +11,8 @@ namespace griffith {
 struct RemeshOptions {
   BisectionLimits limits{.min_length = 0, .min_quality = 0.1};
   double snap_fraction = 0.2;  ///< a node counts as on the plane if the plane cuts an edge this near to it, 0..0.5
-  double snap_angle = 0.1;   ///< or if it is seen from the separating node at most at this angle to the plane [rad]
-  double crack_angle = 0.8;  ///< larger angle for nodes of a crack, so that no second one runs beside it [rad]
+  double snap_angle = 0.1;     ///< or if it is seen from the separating node at most at this angle to the plane [rad]
+  double crack_angle = 0.8;    ///< larger angle for nodes of a crack, so that no second one runs beside it [rad]
 };
 
 /// Star of a node, cut along a plane.

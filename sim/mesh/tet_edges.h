@@ -15,7 +15,7 @@ using EdgeId = Id<struct EdgeTag>;
 /// Edges of quadratic tets, which have their own displacements (quadratic_element.h). An edge joins two nodes, and
 /// cracks separate it with them. Edges are never removed.
 struct TetEdges {
-  std::vector<std::array<NodeId, 2>> ends;  ///< per edge: its nodes, ascending
+  std::vector<std::array<NodeId, 2>> ends;    ///< per edge: its nodes, ascending
   std::vector<std::array<EdgeId, 6>> of_tet;  ///< per tet, as kTetEdges; invalid for linear ones; empty: all linear
 
   int edge_count() const { return static_cast<int>(ends.size()); }
