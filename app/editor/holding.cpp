@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/editor/thickness.h"
-#include "sim/mesh/number_text.h"
+#include "sim/core/number_text.h"
 #include "sim/world/setup/starting_overlaps.h"
 
 namespace griffith::app {

@@ -2,7 +2,7 @@
 
 #include "app/export/pose_keys.h"
 #include "app/export/usda_text.h"
-#include "sim/mesh/number_text.h"
+#include "sim/core/number_text.h"
 
 namespace griffith::app {
 namespace {

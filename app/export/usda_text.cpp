@@ -1,6 +1,6 @@
 #include "app/export/usda_text.h"
 
-#include "sim/mesh/number_text.h"
+#include "sim/core/number_text.h"
 
 namespace griffith::app {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "app/output/id_picture.h"
 #include "app/shared/hash_text.h"
-#include "sim/mesh/number_text.h"
+#include "sim/core/number_text.h"
 #include "sim/scene/scene_difference.h"
 
 namespace griffith::app {

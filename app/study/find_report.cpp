@@ -7,7 +7,7 @@
 
 #include "app/shared/processes.h"
 #include "app/shared/text_table.h"
-#include "sim/mesh/number_text.h"
+#include "sim/core/number_text.h"
 
 namespace griffith::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "sim/core/error.h"
-#include "sim/mesh/number_text.h"
+#include "sim/core/number_text.h"
 
 namespace griffith::app {
 namespace {

@@ -6,8 +6,8 @@
 #include <tuple>
 
 #include "sim/core/error.h"
+#include "sim/core/number_text.h"
 #include "sim/core/tet_edge_corners.h"
-#include "sim/mesh/number_text.h"
 #include "sim/mesh/topology.h"
 
 namespace griffith {

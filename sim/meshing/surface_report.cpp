@@ -5,8 +5,8 @@
 #include <set>
 
 #include "sim/core/error.h"
+#include "sim/core/number_text.h"
 #include "sim/geometry/disjoint_sets.h"
-#include "sim/mesh/number_text.h"
 #include "sim/meshing/orient_surface.h"
 #include "sim/meshing/surface_edges.h"
 

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <optional>
 
+#include "sim/core/number_text.h"
 #include "sim/core/replace_file.h"
 #include "sim/core/temporary_folder.h"
-#include "sim/mesh/number_text.h"
 #include "sim/mesh/read_mesh.h"
 
 namespace griffith {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "sim/mesh/number_text.h"
+#include "sim/core/number_text.h"
 
 namespace griffith {
 namespace {

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "sim/core/error.h"
-#include "sim/mesh/number_text.h"
+#include "sim/core/number_text.h"
 
 namespace griffith {
 namespace {
