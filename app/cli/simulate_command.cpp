@@ -48,39 +48,64 @@ void check_outputs(const SimulateOptions& options) {
   if (!options.export_pieces.empty()) check_folder(options.export_pieces);
 }
 
+/// Data that a run records at each step, as far as requested.
+class Records {
+ public:
+  Records(const World& world, const SimulateOptions& options) {
+    if (!options.probes.empty()) probes_.emplace(world, options.scene);
+    if (!options.energy.empty()) energy_.emplace(world.frame());
+    if (!options.record.empty()) recording_ = begin_recording(world, outside_files(options.pack_outside));
+  }
+
+  void add(const World& world) {
+    if (probes_) probes_->add(world);
+    if (energy_) energy_->add(world.frame());
+    if (recording_) recording_->hashes.push_back(world.state_hashes());
+  }
+
+  void write(const SimulateOptions& options, Outputs& outputs) const {
+    if (probes_) outputs.write([&] { replace_file(options.probes, probes_->csv()); });
+    if (energy_) outputs.write([&] { replace_file(options.energy, energy_->csv()); });
+    if (recording_) outputs.write([&] { write_recording(*recording_, options.record); });
+  }
+
+ private:
+  std::optional<ProbeTable> probes_;
+  std::optional<EnergyTable> energy_;
+  std::optional<Recording> recording_;
+};
+
+void make_steps(World& world, int count, Records& records, RunStatistics& statistics) {
+  Progress progress("Simulating", count);
+  for (int step = 1; step <= count; ++step) {
+    world.step();
+    statistics.add(world.frame());
+    records.add(world);
+    progress.update(step);
+  }
+}
+
+/// Writes the requested files about the last step.
+void write_frame(const Frame& frame, const Shards& shards, const SimulateOptions& options, Outputs& outputs) {
+  if (!options.events.empty()) outputs.write([&] { replace_file(options.events, crack_events_json(frame)); });
+  if (!options.export_file.empty()) outputs.write([&] { export_frame(options.export_file, frame); });
+  if (!options.export_pieces.empty()) outputs.write([&] { export_pieces(options.export_pieces, frame, shards); });
+}
+
 void simulate(const SimulateOptions& options) {
   check_outputs(options);
   const Scene scene = read_scene(options.scene, settings(options.set));
   World world = open_world(scene, options.scene);
-  std::optional<ProbeTable> probes;
-  if (!options.probes.empty()) probes.emplace(world, options.scene);
-  std::optional<EnergyTable> energy;
-  if (!options.energy.empty()) energy.emplace(world.frame());
-  std::optional<Recording> recording;
-  if (!options.record.empty()) recording = begin_recording(world, outside_files(options.pack_outside));
+  Records records(world, options);
   Shards shards;
   if (!options.export_pieces.empty()) shards = Shards(world.frame(), scene);
   RunStatistics statistics(world.frame(), scene.simulation.time_step, options.threads);
-  {
-    Progress progress("Simulating", options.frames);
-    for (int step = 1; step <= options.frames; ++step) {
-      world.step();
-      statistics.add(world.frame());
-      if (probes) probes->add(world);
-      if (energy) energy->add(world.frame());
-      if (recording) recording->hashes.push_back(world.state_hashes());
-      progress.update(step);
-    }
-  }
+  make_steps(world, options.frames, records, statistics);
   const Frame frame = world.frame();
-  Outputs outputs;
-  if (probes) outputs.write([&] { replace_file(options.probes, probes->csv()); });
-  if (energy) outputs.write([&] { replace_file(options.energy, energy->csv()); });
-  if (recording) outputs.write([&] { write_recording(*recording, options.record); });
-  if (!options.events.empty()) outputs.write([&] { replace_file(options.events, crack_events_json(frame)); });
-  if (!options.export_file.empty()) outputs.write([&] { export_frame(options.export_file, frame); });
   shards.follow(frame, scene);
-  if (!options.export_pieces.empty()) outputs.write([&] { export_pieces(options.export_pieces, frame, shards); });
+  Outputs outputs;
+  records.write(options, outputs);
+  write_frame(frame, shards, options, outputs);
   if (!options.outcomes.empty())
     outputs.write([&] { replace_file(options.outcomes, record_json({outcomes_of(frame, statistics.tally()), {}})); });
   if (options.stats.empty()) {

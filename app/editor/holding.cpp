@@ -2,20 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "app/editor/thickness.h"
+#include "sim/core/number_text.h"
 #include "sim/world/setup/starting_overlaps.h"
 
 namespace griffith::app {
 namespace {
-
-std::string text_of(double factor) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", factor);
-  return text;
-}
 
 /// Returns the material with its resistance to fracture multiplied by a factor.
 Material stronger(Material material, double factor) {
@@ -88,7 +82,7 @@ CriticalFactor critical_strength_factor(const World& before, int scene_body, Nod
   const Material material = before.frame().materials[scene_body];
   const Vec3 place = before.frame().nodes.rest_positions[node];
   return critical_factor([&](double factor) {
-    monitor.enter(text_of(factor) + " times the strength");
+    monitor.enter(rounded_text(factor, 3) + " times the strength");
     World world = before;
     world.set_material(scene_body, stronger(material, factor));
     return steps_whole(world, scene_body, place, monitor);
@@ -145,7 +139,7 @@ std::optional<CriticalFactor> critical_speed_factor(const RunToCrack& run, const
   if (!anything_flies(run)) return std::nullopt;
   return critical_factor(
       [&](double factor) {
-        monitor.enter(text_of(1 / factor) + " times the speed");
+        monitor.enter(rounded_text(1 / factor, 3) + " times the speed");
         return node_holds(slowed(run, factor), monitor);
       },
       kLargestFactor);
@@ -157,7 +151,7 @@ std::optional<CriticalFactor> critical_thickness_factor(const RunToCrack& run, c
   const std::size_t overlaps = overlaps_in(build(run.scene, monitor));
   return critical_factor(
       [&](double factor) {
-        monitor.enter(text_of(factor) + " times the thickness");
+        monitor.enter(rounded_text(factor, 3) + " times the thickness");
         const RunToCrack thicker = thickened(run, factor);
         World world = build(thicker.scene, monitor);
         if (overlaps_in(world) > overlaps)

@@ -2,6 +2,7 @@
 
 #include "app/export/pose_keys.h"
 #include "app/export/usda_text.h"
+#include "sim/core/number_text.h"
 
 namespace griffith::app {
 namespace {
@@ -34,12 +35,12 @@ void append_motion(UsdaText& usda, const BakedObject& object) {
 }
 
 void append_properties(UsdaText& usda, const BakedObject& object) {
-  usda.line("custom double griffith:mass = " + usda_number(object.mass));
+  usda.line("custom double griffith:mass = " + number_text(object.mass));
   usda.line("custom bool griffith:isSupported = " + std::to_string(object.is_supported));
   usda.line("custom int griffith:sceneBody = " + std::to_string(object.scene_body));
-  if (object.break_time) usda.line("custom double griffith:breakTime = " + usda_number(*object.break_time));
+  if (object.break_time) usda.line("custom double griffith:breakTime = " + number_text(*object.break_time));
   if (object.broke_scaled)
-    usda.line("custom double griffith:scaleFactor = " + usda_number(object.broke_scaled->factor));
+    usda.line("custom double griffith:scaleFactor = " + number_text(object.broke_scaled->factor));
 }
 
 void append_corners(std::string& text, const std::vector<std::array<int, 3>>& triangles) {
@@ -115,8 +116,8 @@ void append_material(UsdaText& usda, const BakedMaterial& material) {
   usda.line(R"(uniform token info:id = "UsdPreviewSurface")");
   usda.line("color3f inputs:diffuseColor = " + usda_tuple(material.color));
   usda.line("float inputs:metallic = 0");
-  usda.line("float inputs:opacity = " + usda_number(material.opacity));
-  usda.line("float inputs:roughness = " + usda_number(material.roughness));
+  usda.line("float inputs:opacity = " + number_text(material.opacity));
+  usda.line("float inputs:roughness = " + number_text(material.roughness));
   usda.line("token outputs:surface");
   usda.close();
   usda.close();
@@ -130,9 +131,9 @@ void append_bonds(UsdaText& usda, const Bake& bake) {
   for (const BakedBond& bond : bake.bonds) {
     append(from, '"' + bake.objects[bond.a].name + '"');
     append(to, '"' + bake.objects[bond.b].name + '"');
-    append(areas, usda_number(bond.area));
-    append(strengths, usda_number(bond.strength));
-    append(break_times, bond.break_time ? usda_number(*bond.break_time) : "inf");
+    append(areas, number_text(bond.area));
+    append(strengths, number_text(bond.strength));
+    append(break_times, bond.break_time ? number_text(*bond.break_time) : "inf");
     centers.push_back(bond.center);
     normals.push_back(bond.normal);
   }

@@ -1,6 +1,6 @@
 #include "app/export/usda_text.h"
 
-#include "sim/mesh/number_text.h"
+#include "sim/core/number_text.h"
 
 namespace griffith::app {
 namespace {
@@ -15,12 +15,6 @@ std::string array_text(const Vectors& vectors) {
 }
 
 }  // namespace
-
-std::string usda_number(double value) {
-  std::string text;
-  append_number(text, value);
-  return text;
-}
 
 std::string usda_tuple(std::span<const double> values) {
   std::string text = "(";
@@ -46,8 +40,8 @@ UsdaText::UsdaText(double frames_per_second, int last_frame) {
   line("    defaultPrim = \"World\"");
   line("    metersPerUnit = 1");
   line("    upAxis = \"Y\"");
-  line("    timeCodesPerSecond = " + usda_number(frames_per_second));
-  line("    framesPerSecond = " + usda_number(frames_per_second));
+  line("    timeCodesPerSecond = " + number_text(frames_per_second));
+  line("    framesPerSecond = " + number_text(frames_per_second));
   line("    startTimeCode = 0");
   line("    endTimeCode = " + std::to_string(last_frame));
   line(")");

@@ -7,8 +7,6 @@
 
 namespace griffith::app {
 
-/// Formats a number, tuple or array as USD text.
-std::string usda_number(double value);
 std::string usda_tuple(std::span<const double> values);
 std::string usda_tuple(const Vec3& v);
 std::string usda_tuple(std::initializer_list<double> values);

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "sim/core/number_text.h"
 #include "sim/mesh/file_cursor.h"
-#include "sim/mesh/number_text.h"
 
 namespace griffith::app {
 

@@ -1,7 +1,7 @@
 #include "app/output/probe_table.h"
 
 #include "app/output/csv_field.h"
-#include "sim/mesh/number_text.h"
+#include "sim/core/number_text.h"
 #include "sim/world/conditions/probes.h"
 
 namespace griffith::app {

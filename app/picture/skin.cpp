@@ -91,7 +91,7 @@ void part(const std::array<Vec3, 3>& triangle, const CellPartition& cells, int& 
     if (polygon.size() < 3 || area_vector(polygon).norm() <= kSmallest * area) continue;
     add(cell, polygon);
     for (const CellWall& wall : cells[cell].walls)
-      if (wall.neighbour >= 0 && seen.insert(wall.neighbour).second) waiting.push_back(wall.neighbour);
+      if (wall.neighbor >= 0 && seen.insert(wall.neighbor).second) waiting.push_back(wall.neighbor);
   }
 }
 

@@ -2,22 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 #include "app/output/id_picture.h"
 #include "app/shared/hash_text.h"
+#include "sim/core/number_text.h"
 #include "sim/scene/scene_difference.h"
 
 namespace griffith::app {
 namespace {
 
 using Row = PictureResult::Row;
-
-std::string statistic_text(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.10g", value);
-  return text;
-}
 
 /// Returns the metadata with the state's hash.
 std::vector<std::pair<std::string, std::string>> all_metadata(const RegressionPicture& picture) {
@@ -28,7 +22,7 @@ std::vector<std::pair<std::string, std::string>> all_metadata(const RegressionPi
 
 std::vector<std::pair<std::string, std::string>> statistic_texts(const RegressionPicture& picture) {
   std::vector<std::pair<std::string, std::string>> texts;
-  for (const auto& [name, value] : picture.statistics) texts.emplace_back(name, statistic_text(value));
+  for (const auto& [name, value] : picture.statistics) texts.emplace_back(name, rounded_text(value, 10));
   return texts;
 }
 

@@ -7,6 +7,7 @@
 #include "app/shared/processes.h"
 #include "app/shared/quantile.h"
 #include "sim/core/error.h"
+#include "sim/core/number_text.h"
 #include "sim/core/read_file.h"
 #include "sim/core/temporary_folder.h"
 #include "sim/scene/scene_reader.h"

@@ -7,17 +7,12 @@
 
 #include "app/shared/processes.h"
 #include "app/shared/text_table.h"
+#include "sim/core/number_text.h"
 
 namespace griffith::app {
 namespace {
 
 using Report = nlohmann::ordered_json;
-
-std::string short_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.5g", value);
-  return text;
-}
 
 std::map<double, bool> verdicts(const Trials& trials) {
   std::map<double, bool> verdicts;
@@ -40,7 +35,7 @@ std::string seen(const Find& find, std::size_t condition, const Trial& trial) {
     text.append(", ")
         .append(outcome_kinds()[part.outcome].key)
         .append(" ")
-        .append(short_number(trial.median(condition, part.outcome)));
+        .append(rounded_text(trial.median(condition, part.outcome), 5));
   return text;
 }
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app/output/csv_field.h"
-#include "sim/mesh/number_text.h"
+#include "sim/core/number_text.h"
 
 namespace griffith::app {
 namespace {

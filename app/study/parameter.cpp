@@ -2,11 +2,10 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 
 #include "sim/core/error.h"
-#include "sim/mesh/number_text.h"
+#include "sim/core/number_text.h"
 
 namespace griffith::app {
 namespace {
@@ -62,15 +61,7 @@ std::vector<std::string> split_outside_brackets(const std::string& text, char se
 
 double ValueRange::at(double fraction) const {
   const double value = logarithmic ? low * std::pow(high / low, fraction) : std::lerp(low, high, fraction);
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.12g", value);
-  return fraction <= 0 ? low : fraction >= 1 ? high : std::strtod(digits, nullptr);
-}
-
-std::string number_text(double value) {
-  std::string text;
-  append_number(text, value);
-  return text;
+  return fraction <= 0 ? low : fraction >= 1 ? high : std::strtod(rounded_text(value, 12).c_str(), nullptr);
 }
 
 std::optional<double> number_in(std::string_view text) {

@@ -30,9 +30,6 @@ struct Parameter {
 /// Splits a text at separators outside of brackets, braces and quotes.
 std::vector<std::string> split_outside_brackets(const std::string& text, char separator);
 
-/// Returns the JSON text of a number: the shortest that reads back as the same double.
-std::string number_text(double value);
-
 /// Returns the finite number that is the whole `text`; empty for another text.
 std::optional<double> number_in(std::string_view text);
 

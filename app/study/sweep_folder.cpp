@@ -50,7 +50,7 @@ void require_same(const Sweep& sweep, const Definition& mine) {
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw InputError(folder.string(), "cannot be made: " + error.message(), "name another folder with -o");
+  if (error) throw InputError(folder.string(), "cannot be created: " + error.message(), "name another folder with -o");
 }
 
 }  // namespace

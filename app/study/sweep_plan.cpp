@@ -5,6 +5,7 @@
 #include <set>
 
 #include "sim/core/error.h"
+#include "sim/core/number_text.h"
 
 namespace griffith::app {
 namespace {

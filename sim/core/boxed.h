@@ -5,7 +5,7 @@
 
 namespace griffith {
 
-/// A value on the heap, or none: as std::optional, but no larger than a pointer where it lies.
+/// Value on the heap, or none. Like std::optional, but no larger than a pointer.
 template <class T>
 class Boxed {
  public:

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-// Plain values in memory as bytes, for files that this machine reads back.
+// Plain values as bytes in memory, for files that only the same machine reads back.
 
 namespace griffith {
 
@@ -21,7 +21,7 @@ std::string_view bytes_of(const std::vector<T>& values) {
   return bytes_of(std::span<const T>(values));
 }
 
-/// Takes `count` values off the front of `bytes`; false when there are fewer.
+/// Removes `count` values from the front of `bytes`. Returns false if there are fewer.
 template <class T>
 bool take(std::string_view& bytes, T* values, std::int64_t count) {
   if (count < 0 || count > std::ssize(bytes) / static_cast<std::int64_t>(sizeof(T))) return false;
@@ -31,7 +31,7 @@ bool take(std::string_view& bytes, T* values, std::int64_t count) {
   return true;
 }
 
-/// Takes `count` values off the front of `bytes`; false when there are fewer. No memory is asked for before that.
+/// Removes `count` values from the front of `bytes`. Returns false, before any allocation, if there are fewer.
 template <class Values>
 bool take_values(std::string_view& bytes, Values& values, std::int64_t count) {
   constexpr auto kSize = static_cast<std::int64_t>(sizeof values[0]);

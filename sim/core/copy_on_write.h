@@ -8,9 +8,9 @@
 
 namespace griffith {
 
-/// A value that copies share until one of them is to change. As with any value, one thread at a time may call what is
-/// not const, and any number what is const, copying included; copies may go to other threads. A reference from `*` or
-/// `->` shows the value as it was when edit() has been called since.
+/// Value that copies share until one of them changes. Threads may use it like any other value: one at a time calls
+/// members that are not const, any number call const ones, and copies may go to other threads. A reference from `*` or
+/// `->` still shows the old value after edit().
 template <class T>
 class CopyOnWrite {
  public:
@@ -28,18 +28,18 @@ class CopyOnWrite {
   const T& operator*() const { return *value_; }
   const T* operator->() const { return value_.get(); }
   operator const T&() const { return *value_; }
-  /// The value to be changed, of this copy alone. The first call after copying makes it so and belongs before a
-  /// parallel loop; later ones may be in it.
+  /// Returns the value, owned by this copy alone, to be changed. The first call after a copy allocates, so it belongs
+  /// before a parallel loop. Later calls may be inside the loop.
   T& edit() {
     if (is_shared()) *this = CopyOnWrite(T(*value_));
     return *value_;
   }
-  /// Whether both hold one value between them.
+  /// True if both share one value.
   bool shares_with(const CopyOnWrite& other) const { return value_ == other.value_; }
 
  private:
-  // How many share the value now is not asked: another thread might just be done reading what would be changed. What
-  // was copied once counts as shared.
+  // The present number of owners is not asked, since another thread may still be reading the value. A value that was
+  // copied once counts as shared.
   bool is_shared() const { return is_shared_.load(std::memory_order_relaxed); }
   const std::shared_ptr<T>& share() const {
     is_shared_.store(true, std::memory_order_relaxed);
@@ -50,7 +50,7 @@ class CopyOnWrite {
   mutable std::atomic<bool> is_shared_ = false;
 };
 
-/// An array that copies share until one of them is to change: reads as a constant std::vector.
+/// Array that copies share until one of them changes. Reads like a constant std::vector.
 template <class T>
 class SharedArray : public CopyOnWrite<std::vector<T>> {
  public:

@@ -7,10 +7,10 @@
 
 namespace griffith {
 
-/// An open file of the operating system, closed at the end.
+/// File descriptor of the operating system, closed by the destructor.
 class Descriptor {
  public:
-  /// `number`: what open() gave; negative where it failed.
+  /// `number`: the result of open(), negative if it failed.
   explicit Descriptor(int number) : number_(number) {}
   ~Descriptor() { close(); }
   Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
@@ -21,7 +21,7 @@ class Descriptor {
 
   bool is_open() const { return number_ >= 0; }
   int number() const { return number_; }
-  /// Closes it now; false, with errno, where the system reports only here that a write has failed.
+  /// Closes the file now. Returns false and sets errno if an earlier write turns out to have failed.
   bool close() { return number_ < 0 || ::close(std::exchange(number_, -1)) == 0 || errno == EINTR; }
 
  private:

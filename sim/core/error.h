@@ -5,9 +5,9 @@
 
 namespace griffith {
 
-/// A user's mistake: in a file, a field, a value or a mesh. `where` names the place (file, file:line or
-/// file#/json/pointer), `problem` says what is wrong and `remedy` what would be right. The program goes on with what
-/// it had. A programmer's mistake is an assert, numerical trouble is a count in the step report.
+/// Mistake of a user, in a file, a field, a value or a mesh. `where` names the place (file, file:line or
+/// file#/json/pointer), `problem` says what is wrong, `remedy` says what would be right. The program keeps its state.
+/// Mistakes of programmers are asserts, numerical problems are counted in the step report.
 class InputError : public std::runtime_error {
  public:
   InputError(std::string where, std::string problem, std::string remedy)

@@ -10,9 +10,9 @@
 namespace griffith {
 namespace {
 
-/// Beginning of a kind of file. `endings`, each before a blank, are those of files that may hold it.
+/// Beginning of a kind of file. `endings`, each before a blank, are the suffixes of files with such content.
 struct Signature {
-  std::string_view start;  ///< of text in lower case, behind blanks and a byte order mark
+  std::string_view start;  ///< text in lower case, after blanks and a byte order mark
   std::string_view endings, what, remedy;
 };
 
@@ -57,7 +57,7 @@ std::string lower_case(std::string_view text) {
   return result;
 }
 
-/// The beginning of a text in lower case, without blanks and a byte order mark before it.
+/// Returns the beginning of a text in lower case, without leading blanks and byte order mark.
 std::string start_of_text(std::string_view content) {
   constexpr std::size_t kLength = 64;
   if (content.starts_with("\xef\xbb\xbf")) content.remove_prefix(3);

@@ -9,15 +9,15 @@
 
 namespace griffith {
 
-/// Throws InputError where the first bytes of a file show that it holds something else than its ending says: a Git LFS
-/// pointer, a web page, a compressed file, or another format of meshes, surfaces or pictures. The error names what it
-/// is and the remedy. `content`: the file's beginning, 512 bytes or more where it has them.
+/// Throws InputError if the first bytes of a file contradict its suffix: a Git LFS pointer, a web page, a compressed
+/// file, or another format of meshes, surfaces or pictures. The error names the actual content and the remedy.
+/// `content`: the first 512 bytes of the file or more, or all of a shorter one.
 void require_expected_content(const std::filesystem::path& path, std::string_view content);
 
-/// As above for a file whose beginning has not been read. Passes where it cannot be read: its reader tells that.
+/// As above for a file that has not been read yet. Ignores unreadable files, since their reader reports them.
 void require_expected_content(const std::filesystem::path& path);
 
-/// read_file() for a file that has to hold what its ending says.
+/// Returns read_file() of a file whose content must match its suffix.
 std::string read_expected_file(const std::filesystem::path& path, std::int64_t max_bytes = kMaxFileBytes);
 
 }  // namespace griffith

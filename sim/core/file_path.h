@@ -6,12 +6,12 @@
 
 namespace griffith {
 
-/// Where a file is that a scene names: paths that are not absolute start at the scene's folder.
+/// Returns the path of a file that a scene names. Relative paths start at the scene's folder.
 inline std::filesystem::path file_path(const std::filesystem::path& folder, const std::filesystem::path& path) {
   return (folder / path).lexically_normal();
 }
 
-/// True if `file` exists in `folder` or below it once all links are resolved: nothing leads out of the folder then.
+/// True if `file` exists in `folder` or below it after all links are resolved.
 inline bool is_within(const std::filesystem::path& folder, const std::filesystem::path& file) {
   std::error_code error;
   const std::filesystem::path real_folder = std::filesystem::canonical(folder.empty() ? "." : folder, error);

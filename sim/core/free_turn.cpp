@@ -10,8 +10,8 @@
 namespace griffith {
 namespace {
 
-/// Euler's equations of a free top in axes that turn with it: its angular momentum l changes by l × J⁻¹l. The implicit
-/// midpoint rule keeps |l|² and the energy ½ l·J⁻¹l, since both are quadratic.
+/// Euler's equations of a free top in body axes: its angular momentum l changes by l × J⁻¹l. The implicit midpoint rule
+/// keeps |l|² and the energy ½ l·J⁻¹l, since both are quadratic.
 class FreeTop {
  public:
   FreeTop(const Mat3& inertia, const Vec3& angular_velocity)
@@ -20,18 +20,18 @@ class FreeTop {
   Vec3 spin() const { return inverse_inertia_ * momentum_; }
   const Mat3& turn() const { return turn_; }
 
-  /// Goes on for a duration in which it turns by less than a radian [s].
+  /// Advances the top by a duration [s] in which it rotates by less than a radian.
   void advance(double duration) {
     const Vec3 mean_spin = inverse_inertia_ * mean_momentum(duration);
-    // As far as it turns at this spin; the rule itself would turn it by 2 atan(½ duration |spin|).
+    // Rotates by the full angle at this spin; the rule itself would rotate by 2 atan(½ duration |spin|).
     const Mat3 turn = rotation_by(duration * mean_spin).toRotationMatrix();
     momentum_ = turn.transpose() * momentum_;
     turn_ = turn_ * turn;
   }
 
  private:
-  /// The mean m of the momentum before and after a substep, m = l + τ/2 m × J⁻¹m, by Newton's method. τ is the time in
-  /// which the midpoint rule turns by as much as the spin does in `duration`.
+  /// Returns the mean m of the momentum before and after a substep, m = l + τ/2 m × J⁻¹m, by Newton's method. τ is the
+  /// time in which the midpoint rule rotates by the angle of the spin in `duration`.
   Vec3 mean_momentum(double duration) const {
     constexpr int kMaxIterations = 12;
     Vec3 mean = momentum_;
@@ -47,7 +47,7 @@ class FreeTop {
     return mean;
   }
 
-  Mat3 inverse_inertia_;  ///< in the axes as they were at first
+  Mat3 inverse_inertia_;  ///< in the initial axes
   Vec3 momentum_;
   Mat3 turn_ = Mat3::Identity();
 };
@@ -58,7 +58,7 @@ void advance_by_fourth_order(FreeTop& top, double duration) {
   for (const double share : {outer, outer, 1 - 4 * outer, outer, outer}) top.advance(share * duration);
 }
 
-/// A turn about the angular momentum, which keeps it and the energy, but not the precession.
+/// Returns a rotation about the angular momentum. It keeps momentum and energy, but not the precession.
 Mat3 turn_about_momentum(const Mat3& inertia, const Vec3& angular_velocity, double dt) {
   const Vec3 axis = (inertia * angular_velocity).normalized();
   return rotation_by(dt * axis.dot(angular_velocity) * axis).toRotationMatrix();
@@ -67,12 +67,12 @@ Mat3 turn_about_momentum(const Mat3& inertia, const Vec3& angular_velocity, doub
 }  // namespace
 
 Mat3 free_turn(const Mat3& inertia, const Vec3& angular_velocity, double dt) {
-  constexpr double kTurn = 0.125;       // [rad] in a substep: it errs by some 1e-8 then
-  constexpr double kLargestTurn = 100;  // [rad] nobody sees how what spins faster lies, and it would take too long
+  constexpr double kTurn = 0.125;       // [rad] per substep, with an error of some 1e-8
+  constexpr double kLargestTurn = 100;  // [rad] faster rotations are not resolved by eye, and would take too long
   if (angular_velocity.isZero(0)) return Mat3::Identity();
   FreeTop top(inertia, angular_velocity);
   for (double left = dt; left > 0;) {
-    // Thin pieces may come to spin far faster than they began to, about the axis of their least inertia.
+    // Thin pieces may come to spin much faster about their axis of least inertia.
     const double turn_left = left * top.spin().norm();
     if (!(turn_left < kLargestTurn)) return turn_about_momentum(inertia, angular_velocity, dt);
     const double count = std::max(1.0, std::ceil(turn_left / kTurn));

@@ -10,10 +10,10 @@
 
 namespace griffith {
 
-/// XXH3's hash of bytes (Collet 2019): the same on every machine. `seed`: the hash of what came before.
+/// Returns the XXH3 hash (Collet 2019) of bytes, equal on every machine. `seed`: the hash of the preceding bytes.
 std::uint64_t hash_bytes(std::string_view bytes, std::uint64_t seed = 0);
 
-/// The hash of numbers as they lie in memory: T must be free of padding.
+/// Returns the hash of numbers as stored in memory. T has no padding.
 template <class T>
 std::uint64_t hash_values(std::span<const T> values, std::uint64_t seed = 0) {
   static_assert(!std::is_pointer_v<T>);

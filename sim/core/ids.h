@@ -8,26 +8,25 @@
 
 namespace griffith {
 
-/// Unsigned integers as wide as those that containers take.
+/// Unsigned integers of the width of container subscripts.
 template <class T>
 concept Subscript = std::unsigned_integral<T> && sizeof(T) == sizeof(std::size_t);
 
-/// A typed index into one kind of array. Arrays take it as it is, `positions[node]`; as a number it is `index()`. It
-/// does no arithmetic and compares with ids of its own kind alone. Ids are stable: nodes and bodies are only ever
-/// appended.
+/// Typed index into one kind of array. Arrays take it directly, `positions[node]`; its number is `index()`. It has no
+/// arithmetic and compares only with ids of its own kind. Ids are stable: nodes and bodies are only appended.
 template <class Tag>
 class Id {
  public:
-  /// The id of nothing (-1): a missing neighbour, an empty selection.
+  /// Invalid id (-1): a missing neighbor, an empty selection.
   constexpr Id() = default;
   constexpr explicit Id(std::int64_t index) : index_(static_cast<std::int32_t>(index)) {}
 
   constexpr bool valid() const { return index_ >= 0; }
   constexpr std::int32_t index() const { return index_; }
-  /// Its id once its arrays are appended to others, where they begin at `first`.
+  /// Returns the id after its arrays were appended to others, where they begin at `first`.
   constexpr Id shifted(Id first) const { return Id(std::int64_t{first.index_} + index_); }
-  /// For subscripts alone. No standard conversion follows a template, to int say, and that it gives two types makes
-  /// operators of numbers ambiguous.
+  /// For subscripts only. A template prevents further standard conversions, for example to int. Its two result types
+  /// make arithmetic ambiguous.
   template <Subscript T>
   constexpr operator T() const {
     return static_cast<std::size_t>(index_);
@@ -40,11 +39,11 @@ class Id {
   std::int32_t index_ = -1;
 };
 
-/// Streams would take it for a subscript, and print the id of nothing as a huge number.
+/// Deleted, since streams would print it as a subscript, and the invalid id as a huge number.
 template <class Stream, class Tag>
 void operator<<(Stream&, Id<Tag>) = delete;
 
-/// The ids from `begin` up to but without `end`, in a loop: `for (const TetId tet : IdRange<TetId>(0, count))`.
+/// Ids from `begin` up to, but not including, `end`, for loops: `for (const TetId tet : IdRange<TetId>(0, count))`.
 template <class Identifier>
 class IdRange {
  public:

@@ -5,8 +5,8 @@
 #include "sim/core/lanes.h"
 #include "sim/core/linear_algebra.h"
 
-// 3×3 matrices of numbers (double) or of lanes (DoubleLanes), for what is computed of one thing or of four side by
-// side. Products add in the order of their terms, so that a lane has the bits of the single number.
+// 3×3 matrices of numbers (double) or of lanes (DoubleLanes), for one item or four side by side. Products add terms in
+// the same order, so that a lane has the bits of the single number.
 
 namespace griffith::simd {
 
@@ -65,7 +65,7 @@ struct Symmetric3 {
   }
 };
 
-/// The upper triangle of a symmetric matrix.
+/// Returns the upper triangle of a symmetric matrix.
 inline Symmetric3<double> upper_triangle(const Mat3& m) {
   return {m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(0, 2), m(1, 2)};
 }
@@ -85,13 +85,13 @@ Symmetric3<Real> add_to_diagonal(const Symmetric3<Real>& a, Real value) {
   return {a.xx + value, a.yy + value, a.zz + value, a.xy, a.xz, a.yz};
 }
 
-/// a : b, the sum of the products of all components.
+/// Returns a : b, the sum of the products of all components.
 template <class Real>
 Real contract(const Symmetric3<Real>& a, const Symmetric3<Real>& b) {
   return a.xx * b.xx + a.yy * b.yy + a.zz * b.zz + 2.0 * (a.xy * b.xy + a.xz * b.xz + a.yz * b.yz);
 }
 
-/// det(m) m⁻ᵀ.
+/// Returns det(m) m⁻ᵀ.
 template <class Real>
 Matrix3<Real> cofactor(const Matrix3<Real>& m) {
   Matrix3<Real> c;
@@ -105,13 +105,13 @@ Matrix3<Real> cofactor(const Matrix3<Real>& m) {
   return c;
 }
 
-/// The determinant of the matrix that has this cofactor matrix.
+/// Returns the determinant of the matrix with this cofactor matrix.
 template <class Real>
 Real determinant(const Matrix3<Real>& m, const Matrix3<Real>& cofactor) {
   return m.at[0][0] * cofactor.at[0][0] + m.at[1][0] * cofactor.at[1][0] + m.at[2][0] * cofactor.at[2][0];
 }
 
-/// sym(aᵀ b).
+/// Returns sym(aᵀ b).
 template <class Real>
 Symmetric3<Real> symmetric_product(const Matrix3<Real>& a, const Matrix3<Real>& b) {
   const auto dot = [&](int i, int j) {
@@ -136,7 +136,7 @@ Matrix3<Real> operator*(const Matrix3<Real>& a, const Symmetric3<Real>& s) {
   return p;
 }
 
-/// p aᵀ where that is symmetric.
+/// Returns p aᵀ, which must be symmetric.
 template <class Real>
 Symmetric3<Real> times_transposed(const Matrix3<Real>& p, const Matrix3<Real>& a) {
   const auto dot = [&](int i, int j) {
@@ -145,7 +145,7 @@ Symmetric3<Real> times_transposed(const Matrix3<Real>& p, const Matrix3<Real>& a
   return {dot(0, 0), dot(1, 1), dot(2, 2), dot(0, 1), dot(0, 2), dot(1, 2)};
 }
 
-/// A matrix or the other, lane by lane.
+/// Returns one matrix or the other, lane by lane.
 template <class Mask, class Real>
 Matrix3<Real> select(const Mask& mask, const Matrix3<Real>& a, const Matrix3<Real>& b) {
   Matrix3<Real> chosen;

@@ -2,8 +2,8 @@
 
 #include "sim/core/lanes.h"
 
-// Vectors of numbers (double) or of lanes (DoubleLanes), for what is computed of one thing or of four side by side.
-// Terms are added in the order of Eigen's, so that a lane has the bits of the single vector.
+// Vectors of numbers (double) or of lanes (DoubleLanes), for one item or four side by side. Terms are added in Eigen's
+// order, so that a lane has the bits of the single vector.
 
 namespace griffith::simd {
 
@@ -32,7 +32,7 @@ Vector3<Real> operator/(const Vector3<Real>& v, const Real& divisor) {
   return {v.x / divisor, v.y / divisor, v.z / divisor};
 }
 
-/// a·b.
+/// Returns a·b.
 template <class Real>
 Real dot(const Vector3<Real>& a, const Vector3<Real>& b) {
   return a.x * b.x + (a.y * b.y + a.z * b.z);
@@ -48,10 +48,10 @@ Vector3<Real> select(const Mask& mask, const Vector3<Real>& a, const Vector3<Rea
   return {mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z};
 }
 
-/// The vector in a lane.
+/// Returns the vector in a lane.
 inline Vec3 vector_of(const Vector3<DoubleLanes>& v, int lane) { return {v.x[lane], v.y[lane], v.z[lane]}; }
 
-/// Four vectors, x, y and z first, side by side.
+/// Returns four vectors, given as x, y, z and one more, side by side.
 inline Vector3<DoubleLanes> side_by_side(WideQuad a, WideQuad b, WideQuad c, WideQuad d) {
   transpose(a, b, c, d);
   return {a, b, c};

@@ -1,8 +1,8 @@
 #pragma once
 
-// Things side by side, such as tetrahedra: one number of each in a vector register, eight in single precision or four
-// in double, and the transposes between such registers and arrays of nodes. Written with the compiler's vector types,
-// so that it runs wherever it compiles.
+// Items such as tetrahedra side by side: one number of each in a vector register, eight in single or four in double
+// precision. Also transposes between such registers and arrays of nodes. The compiler's vector types make them
+// portable.
 
 #include <cmath>
 #include <cstring>
@@ -13,17 +13,17 @@ namespace griffith::simd {
 
 inline constexpr int kLanes = 8;
 
-using Lanes = float __attribute__((vector_size(32)));      ///< one number of each
+using Lanes = float __attribute__((vector_size(32)));      ///< one number of each item
 using Quad = float __attribute__((vector_size(16)));       ///< x, y, z and one more
 using WideQuad = double __attribute__((vector_size(32)));  ///< the same in double precision
 
 inline constexpr int kDoubleLanes = 4;
-using DoubleLanes = WideQuad;                                ///< one double-precision number of each of four
-using DoubleMask = decltype(DoubleLanes{} < DoubleLanes{});  ///< of comparisons: all bits of a lane or none
+using DoubleLanes = WideQuad;                                ///< one double-precision number of each of four items
+using DoubleMask = decltype(DoubleLanes{} < DoubleLanes{});  ///< result of comparisons: all bits of a lane or none
 
-inline Lanes all(float x) { return Lanes{x, x, x, x, x, x, x, x}; }
-inline Lanes at_least(Lanes x, float minimum) { return x > all(minimum) ? x : all(minimum); }
-inline Lanes at_most(Lanes x, float maximum) { return x < all(maximum) ? x : all(maximum); }
+inline Lanes broadcast(float x) { return Lanes{x, x, x, x, x, x, x, x}; }
+inline Lanes max(Lanes x, float minimum) { return x > broadcast(minimum) ? x : broadcast(minimum); }
+inline Lanes min(Lanes x, float maximum) { return x < broadcast(maximum) ? x : broadcast(maximum); }
 
 inline Lanes root(Lanes x) {
   for (int lane = 0; lane < kLanes; ++lane) x[lane] = __builtin_sqrtf(x[lane]);
@@ -38,39 +38,39 @@ inline DoubleLanes hypotenuse(DoubleLanes a, DoubleLanes b) {
   for (int lane = 0; lane < kDoubleLanes; ++lane) a[lane] = std::hypot(a[lane], b[lane]);
   return a;
 }
-inline bool any(DoubleMask mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
-inline bool every(DoubleMask mask) { return (mask[0] & mask[1] & mask[2] & mask[3]) != 0; }
+inline bool any_of(DoubleMask mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
+inline bool all_of(DoubleMask mask) { return (mask[0] & mask[1] & mask[2] & mask[3]) != 0; }
 
-// The same for one number, so that a template computes one element or four.
+// The same for one number, so that a template can compute one element or four.
 inline double root(double x) { return std::sqrt(x); }
 inline double hypotenuse(double a, double b) { return std::hypot(a, b); }
-inline bool any(bool mask) { return mask; }
-inline bool every(bool mask) { return mask; }
+inline bool any_of(bool mask) { return mask; }
+inline bool all_of(bool mask) { return mask; }
 template <class Real>
 Real absolute(Real x) {
   return x < 0.0 ? -x : x;
 }
 
-/// Four doubles from anywhere.
+/// Loads four doubles from unaligned memory.
 inline WideQuad load(const double* numbers) {
   WideQuad loaded;
   std::memcpy(&loaded, numbers, sizeof loaded);
   return loaded;
 }
 
-/// Column i of a 3×3 matrix that is stored by columns, in the first three lanes; the fourth counts for nothing.
+/// Returns column i of a 3×3 matrix, stored by columns, in the first three lanes. The fourth lane is meaningless.
 inline WideQuad column(const double* matrix, int i) {
   if (i < 2) return load(matrix + 3 * i);
-  const WideQuad shifted = load(matrix + 5);  // not beyond the end
+  const WideQuad shifted = load(matrix + 5);  // avoids a read beyond the end
   return __builtin_shufflevector(shifted, shifted, 1, 2, 3, 0);
 }
 
-/// The product of such a matrix and (x, y, z), in the same lanes.
+/// Returns the product of such a matrix and (x, y, z) in the same lanes.
 inline WideQuad product(const double* matrix, double x, double y, double z) {
   return column(matrix, 0) * x + column(matrix, 1) * y + column(matrix, 2) * z;
 }
 
-/// The 3×3 matrix with these columns in their first three lanes.
+/// Returns the 3×3 matrix with these columns in the first three lanes.
 inline Mat3 matrix_of(const WideQuad* columns) {
   Mat3 m;
   std::memcpy(m.data(), columns, 4 * sizeof(double));
@@ -79,7 +79,7 @@ inline Mat3 matrix_of(const WideQuad* columns) {
   return m;
 }
 
-/// Four numbers of four things: number i of each in register i, or back.
+/// Transposes four numbers of four items to number i of each in register i, or back.
 inline void transpose(WideQuad& a, WideQuad& b, WideQuad& c, WideQuad& d) {
   const WideQuad ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6),
                  ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
@@ -91,7 +91,7 @@ inline void transpose(WideQuad& a, WideQuad& b, WideQuad& c, WideQuad& d) {
   d = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
 }
 
-/// The x, y and z of eight rows.
+/// Returns x, y and z of eight rows.
 inline void transpose(const Quad rows[kLanes], Lanes columns[3]) {
   Lanes pair[4];
   for (int i = 0; i < 4; ++i) pair[i] = __builtin_shufflevector(rows[i], rows[i + 4], 0, 1, 2, 3, 4, 5, 6, 7);

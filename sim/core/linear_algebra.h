@@ -5,14 +5,14 @@
 
 namespace griffith {
 
-// Unaligned types: they pack tightly in arrays, are safe members of any value type, and lie alike in memory whatever
-// instruction set a source is compiled for. (Three components are never aligned.)
+// Unaligned types pack tightly in arrays, are safe members of any value type, and have the same layout with any
+// instruction set. (Three components are never aligned.)
 using Vec2 = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 using Quat = Eigen::Quaternion<double, Eigen::DontAlign>;
 
-/// A symmetric 3×3 matrix, kept by its upper triangle.
+/// Symmetric 3×3 matrix, stored as its upper triangle.
 struct SymmetricMat3 {
   double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
 
@@ -24,7 +24,7 @@ struct SymmetricMat3 {
   operator Mat3() const { return full(); }
 };
 
-/// det(m) m⁻ᵀ, for singular matrices too: what a deformation m makes of area vectors.
+/// Returns det(m) m⁻ᵀ, for singular matrices too. A deformation m maps area vectors by it.
 inline Mat3 cofactor(const Mat3& m) {
   Mat3 c;
   c.col(0) = m.col(1).cross(m.col(2));
@@ -33,7 +33,7 @@ inline Mat3 cofactor(const Mat3& m) {
   return c;
 }
 
-/// A rigid placement: world = rotation · local + translation [m].
+/// Rigid placement: world = rotation · local + translation [m].
 struct Pose {
   Vec3 translation = Vec3::Zero();
   Quat rotation = Quat::Identity();

@@ -6,10 +6,10 @@
 
 namespace griffith {
 
-/// How long work tells how far it is, and learns that nobody wants it any more. Both may be empty. `stage` is called
-/// from the thread that does the work, `cancelled` from several at once.
+/// Callbacks through which long work reports its stage and learns that it is cancelled. Both may be empty. `stage` is
+/// called on the thread that does the work, `cancelled` on several at once.
 struct Monitor {
-  std::function<void(std::string_view stage)> stage;  ///< "Refining mesh"
+  std::function<void(std::string_view stage)> stage;  ///< gets, for example, "Refining mesh"
   std::function<bool()> cancelled;
 
   void enter(std::string_view name) const {
@@ -18,7 +18,7 @@ struct Monitor {
   bool is_cancelled() const { return cancelled && cancelled(); }
 };
 
-/// Long work was given up because the user asked for it.
+/// Long work ended early at the user's request.
 class Cancelled : public std::runtime_error {
  public:
   Cancelled() : std::runtime_error("cancelled") {}

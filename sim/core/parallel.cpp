@@ -18,7 +18,7 @@ int allowed_threads() {
 }
 
 #ifdef __SANITIZE_THREAD__
-/// The thread sanitizer does not see into TBB: under it, threads that it sees do the same parts.
+/// The thread sanitizer does not see into TBB. Under it, visible threads do the same parts.
 void run_parts(int count, int grain, const std::function<void(int, int)>& body) {
   const int threads = std::min(allowed_threads(), (count + grain - 1) / grain);
   std::vector<std::jthread> others;

@@ -19,11 +19,11 @@
 namespace griffith {
 namespace {
 
-constexpr int kNotFound = 127;  ///< the shell's exit code for a program that cannot be started
-constexpr int kPollMilliseconds = 50, kPollClosedMilliseconds = 5;  // while it writes; once it has closed its output
+constexpr int kNotFound = 127;  ///< exit code of the shell for a program that cannot be started
+constexpr int kPollMilliseconds = 50, kPollClosedMilliseconds = 5;  // while the child writes; afterward
 constexpr std::size_t kMaxOutput = 1 << 20;
 
-/// A pipe whose ends close by themselves.
+/// Pipe whose ends are closed by its destructor.
 class Pipe {
  public:
   Pipe() {
@@ -52,7 +52,8 @@ void limit(__rlimit_resource resource, rlim_t maximum) {
   setrlimit(resource, &both);
 }
 
-/// The child's way into the program; between fork() and execvp() only what is safe in a signal handler may happen.
+/// Replaces the child process by the program. Between fork() and execvp() only functions safe in signal handlers may be
+/// called.
 [[noreturn]] void become(char* const* arguments, const ProcessLimits& limits, int output) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -77,12 +78,12 @@ pid_t start(const std::vector<std::string>& arguments, const ProcessLimits& limi
   return child;
 }
 
-/// Gathers output and hands its whole lines on.
+/// Collects output and passes on its whole lines.
 class LineReader {
  public:
   explicit LineReader(const std::function<void(const std::string&)>& on_line) : on_line_(on_line) {}
 
-  /// Reads what is there; false at the end.
+  /// Reads the available output. Returns false at its end.
   bool read_from(int file) {
     std::array<char, 4096> buffer;
     const ssize_t count = read(file, buffer.data(), buffer.size());
@@ -107,7 +108,7 @@ class LineReader {
   std::string line_;
 };
 
-/// Takes in how the process ended; `options` as wait4(2) has them. False while it runs.
+/// Stores the end of the process; `options` are those of wait4(2). Returns false while it runs.
 bool reap(pid_t child, int options, ProcessOutcome& outcome) {
   int status = 0;
   rusage usage{};
@@ -140,7 +141,7 @@ ProcessOutcome run_process(const std::vector<std::string>& arguments, const Proc
   pipe.close_writer();
   LineReader reader(on_line);
   ProcessOutcome outcome;
-  // A child may close its output and go on.
+  // A child may close its output and continue.
   for (bool open = true; open || !reap(child, WNOHANG, outcome);) {
     pollfd waiting = {pipe.reader(), POLLIN, 0};
     const int ready = poll(&waiting, open ? 1 : 0, open ? kPollMilliseconds : kPollClosedMilliseconds);

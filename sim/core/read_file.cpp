@@ -20,7 +20,8 @@ namespace {
 void require_regular(const std::filesystem::path& path, const struct stat& status) {
   if (S_ISDIR(status.st_mode)) throw InputError(path.string(), "is a folder", "name a file in it");
   if (!S_ISREG(status.st_mode))
-    throw InputError(path.string(), "is no regular file", "pipes and devices are not read: save the content as a file");
+    throw InputError(path.string(), "is not a regular file",
+                     "pipes and devices are not read: save the content as a file");
 }
 
 std::string size_text(std::int64_t bytes) {
@@ -43,12 +44,12 @@ std::string read_file(const std::filesystem::path& path, std::int64_t max_bytes)
   if (!file.is_open() || fstat(file.number(), &status) != 0) fail(path);
   require_regular(path, status);
   if (status.st_size > max_bytes)
-    throw InputError(path.string(), "is larger than " + size_text(max_bytes), "is it the file that was meant?");
+    throw InputError(path.string(), "is larger than " + size_text(max_bytes), "is it the intended file?");
   std::string content(static_cast<std::size_t>(status.st_size), '\0');
   std::size_t filled = 0;
   while (filled < content.size()) {
     const ssize_t count = read(file.number(), content.data() + filled, content.size() - filled);
-    if (count == 0) break;  // it was cut while it was read
+    if (count == 0) break;  // the file was truncated meanwhile
     if (count < 0 && errno != EINTR) fail(path);
     if (count > 0) filled += static_cast<std::size_t>(count);
   }

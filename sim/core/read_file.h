@@ -6,14 +6,14 @@
 
 namespace griffith {
 
-/// Most bytes that are read of a file unless another limit is given.
+/// Largest file that is read unless another limit is given [bytes].
 inline constexpr std::int64_t kMaxFileBytes = (std::int64_t{2} << 30) - 1;
 
-/// The content of a regular file. Throws InputError where there is none, where it is a pipe, a device or a folder (to
-/// open one of those could wait for ever), where it is larger than `max_bytes` and where it cannot be read.
+/// Returns the content of a regular file. Throws InputError if the file does not exist, is larger than `max_bytes` or
+/// cannot be read. Throws too for pipes, devices and folders, which could block forever.
 std::string read_file(const std::filesystem::path& path, std::int64_t max_bytes = kMaxFileBytes);
 
-/// Throws InputError as read_file() does for what is not there or no regular file.
+/// Throws InputError, as read_file() does, if there is no such regular file.
 void require_regular_file(const std::filesystem::path& path);
 
 }  // namespace griffith

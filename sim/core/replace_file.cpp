@@ -24,12 +24,12 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const fs::path& path, int error) {
   throw InputError(path.string(), "cannot be written: " + std::generic_category().message(error),
-                   "choose a folder that exists, may be written to and has room");
+                   "choose an existing, writable folder with free space");
 }
 
 fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : "."; }
 
-/// Where the links from `path` on lead, whether something is there or not.
+/// Returns the end of a chain of links, whether it exists or not.
 fs::path links_followed(const fs::path& path) {
   constexpr int kMaxLinks = 40;
   fs::path file = path;
@@ -39,11 +39,11 @@ fs::path links_followed(const fs::path& path) {
   return file;
 }
 
-/// Where content is to go.
+/// Destination of the content.
 struct Target {
   fs::path path;
-  std::optional<struct stat> old;  ///< of the file that is replaced, if there is one
-  bool direct = false;             ///< a device or a pipe, which is no file to replace
+  std::optional<struct stat> old;  ///< status of the file to be replaced, if any
+  bool direct = false;             ///< a device or a pipe, written without replacement
 };
 
 Target target_of(const fs::path& path) {
@@ -61,7 +61,7 @@ Target target_of(const fs::path& path) {
   return {path, {}, true};
 }
 
-/// Throws where it is known already that nothing can be written there.
+/// Returns the target. Throws if it is already certain that nothing can be written there.
 Target writable_target(const fs::path& path) {
   Target target = target_of(path);
   const bool there = target.direct || target.old;
@@ -83,7 +83,7 @@ bool write_all(int file, std::string_view content) {
 constexpr std::string_view kFreshStart = ".griffith_";
 constexpr std::size_t kFreshDigits = 16;
 
-/// A name that nobody can have put something under before.
+/// Returns a name that nobody can have used before.
 fs::path fresh_name(const fs::path& folder) {
   std::uint64_t random = 0;
   while (getrandom(&random, sizeof random, 0) != sizeof random) {
@@ -98,7 +98,7 @@ bool is_fresh_name(std::string_view name) {
          name.find_first_not_of("0123456789abcdef", kFreshStart.size()) == std::string_view::npos;
 }
 
-/// True if nobody writes the file: it is this user's, a minute old, and its lock can be had.
+/// True if nobody writes the file: it belongs to this user, is a minute old, and its lock is free.
 bool is_stale(const fs::path& path) {
   constexpr std::time_t kSeconds = 60;
   const Descriptor file(open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
@@ -108,21 +108,21 @@ bool is_stale(const fs::path& path) {
          flock(file.number(), LOCK_EX | LOCK_NB) == 0;
 }
 
-/// Owner, group and mode of the old file, as far as they may be given away.
+/// Sets owner, group and mode of the old file as far as permitted.
 void keep_ownership(int file, const struct stat& old) {
   if (fchown(file, old.st_uid, old.st_gid) != 0 && fchown(file, static_cast<uid_t>(-1), old.st_gid) != 0) errno = 0;
   fchmod(file, old.st_mode & 07777);
 }
 
-/// What was there before is given up only for content that is on the disk.
+/// The old content is replaced only for content that is on the disk.
 bool reaches_disk(int file) { return fdatasync(file) == 0 || errno == EINVAL || errno == ENOSYS; }
 
-/// Writes the new file `beside` the target; false, with errno, where that fails.
+/// Writes the new file `beside` the target. Returns false and sets errno if that fails.
 bool write_new(const fs::path& beside, const Target& target, std::string_view content) {
   constexpr int kFlags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
   Descriptor file(open(beside.c_str(), kFlags, target.old ? 0600 : 0666));
   if (!file.is_open()) return false;
-  flock(file.number(), LOCK_EX | LOCK_NB);  // by which others tell that it is not stale
+  flock(file.number(), LOCK_EX | LOCK_NB);  // marks the file as not stale
   if (target.old) keep_ownership(file.number(), *target.old);
   return write_all(file.number(), content) && (!target.old || reaches_disk(file.number())) && file.close();
 }

@@ -5,19 +5,18 @@
 
 namespace griffith {
 
-/// Writes `content` into a new file of a name of its own beside `path`, then renames it to `path`: an interrupted or
-/// failed write leaves the old file as it was, and several writers at once do not meet. The mode of the old file is
-/// kept; one that may not be written to is not replaced. A link stays a link, and the file it leads to is replaced or
-/// made; devices and pipes are written to directly. Throws InputError when anything fails, to the end of closing the
-/// file.
+/// Writes `content` to a new file beside `path`, with a unique name, and renames it to `path`. An interrupted or failed
+/// write leaves the old file unchanged, and concurrent writers do not interfere. The mode of the old file is kept; a
+/// file without write permission is not replaced. A link stays a link, and its target is replaced or created. Devices
+/// and pipes are written directly. Throws InputError if any part fails, closing included.
 void replace_file(const std::filesystem::path& path, std::string_view content);
 
-/// Removes what replace_file() left in a folder where the program was killed: files of this user with the names that it
-/// gives, which nobody holds and that are older than a minute.
+/// Removes files that killed programs left in a folder during replace_file(): this user's files with its kind of names
+/// that nobody holds and that are older than a minute.
 void remove_stale_files(const std::filesystem::path& folder);
 
-/// Throws the InputError that replace_file() would throw, as far as that can be told before: to be called before long
-/// work whose result goes there. Removes stale files there.
+/// Throws the InputError of a later replace_file() as far as it can be predicted. Call it before long work whose result
+/// goes there. Removes stale files in the folder.
 void check_replaceable(const std::filesystem::path& path);
 
 }  // namespace griffith

@@ -4,14 +4,14 @@
 
 namespace griffith {
 
-/// [v]×, for which [v]× w = v × w.
+/// Returns [v]×, for which [v]× w = v × w.
 inline Mat3 cross_matrix(const Vec3& v) {
   Mat3 m;
   m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
   return m;
 }
 
-/// The rotation about the direction of a vector by its length [rad].
+/// Returns the rotation about a vector by its length [rad].
 inline Eigen::AngleAxisd rotation_by(const Vec3& vector) {
   const double angle = vector.norm();
   return angle > 0 ? Eigen::AngleAxisd(angle, vector / angle) : Eigen::AngleAxisd::Identity();

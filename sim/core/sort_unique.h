@@ -5,7 +5,7 @@
 
 namespace griffith {
 
-/// Sorts items and leaves one of each.
+/// Sorts items and removes duplicates.
 template <class T>
 void sort_unique(std::vector<T>& items) {
   std::ranges::sort(items);

@@ -25,7 +25,7 @@ namespace {
 constexpr std::string_view kStart = "griffith-";
 constexpr std::size_t kRandomLength = 6;
 
-/// The folder's lock, where it is this user's and nobody has it.
+/// Returns the lock of the folder if the folder is this user's and nobody holds its lock.
 Descriptor lock_of(const fs::path& folder) {
   Descriptor lock(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   struct stat status {};
@@ -39,8 +39,8 @@ bool is_old(const fs::path& folder) {
   return !error && fs::file_time_type::clock::now() - time > std::chrono::minutes(1);
 }
 
-/// Removes the folders of programs that were killed: those with such a name whose lock nobody has. One that is being
-/// made has none yet, but is young.
+/// Removes the folders of killed programs: those with such a name whose lock nobody holds. A folder without a lock may
+/// be about to get one, but is young.
 void remove_stale_folders(const fs::path& among) {
   std::error_code error;
   for (fs::directory_iterator entry(among, error), end; !error && entry != end; entry.increment(error)) {
@@ -54,14 +54,14 @@ void remove_stale_folders(const fs::path& among) {
 }  // namespace
 
 TemporaryFolder::TemporaryFolder() {
-  constexpr char kRemedy[] = "TMPDIR has to name a folder that may be written to and has room; without it that is /tmp";
+  constexpr char kRemedy[] = "set TMPDIR to a writable folder with free space; the default is /tmp";
   std::error_code error;
   const fs::path folder = fs::temp_directory_path(error);
   if (error) throw InputError("TMPDIR", "names no folder for temporary files", kRemedy);
   remove_stale_folders(folder);
   std::string name = (folder / kStart).string() + "XXXXXX";
   if (mkdtemp(name.data()) == nullptr)
-    throw InputError(name, "cannot be made: " + std::generic_category().message(errno), kRemedy);
+    throw InputError(name, "cannot be created: " + std::generic_category().message(errno), kRemedy);
   path_ = name;
   const Descriptor lock = lock_of(path_);
   lock_ = fcntl(lock.number(), F_DUPFD_CLOEXEC, 0);  // keeps the lock

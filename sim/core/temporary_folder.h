@@ -6,9 +6,9 @@
 
 namespace griffith {
 
-/// A new folder for temporary files, gone with its contents at the end, also when the program is asked to end meanwhile
-/// (by SIGINT, SIGTERM or SIGHUP). One that was killed leaves its folder to the next, which removes it. Throws
-/// InputError when none can be made.
+/// New folder for temporary files. It is removed with its contents by the destructor, also if the program is asked to
+/// end by SIGINT, SIGTERM or SIGHUP. The folder of a killed program is removed by the next one. Throws InputError if no
+/// folder can be created.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -17,13 +17,13 @@ class TemporaryFolder {
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  /// Whether work in it should be given up, because the program was asked to end.
+  /// True if the work in it should end, because the program was asked to end.
   bool termination_requested() const { return hold_.requested(); }
 
  private:
   TerminationHold hold_;
   std::filesystem::path path_;
-  int lock_ = -1;  ///< descriptor whose lock tells others that the folder is in use; -1: none
+  int lock_ = -1;  ///< descriptor whose lock marks the folder as in use; -1: none
 };
 
 }  // namespace griffith

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
 
-// What to do about signals is the process's own: there is one of each of these.
+// Signal handling belongs to the process, so there is one of each of these.
 std::atomic<int> last_signal = 0, signals = 0;
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler writes to it");
 std::mutex mutex;
@@ -18,9 +18,9 @@ int holds = 0;                                             // under `mutex`
 std::array<struct sigaction, kSignals.size()> usual = {};  // under `mutex`
 
 void note(int signal) {
-  constexpr int kPatience = 3;
+  constexpr int kMaxHeldSignals = 3;
   last_signal = signal;
-  if (++signals >= kPatience) std::signal(signal, SIG_DFL);
+  if (++signals >= kMaxHeldSignals) std::signal(signal, SIG_DFL);
 }
 
 }  // namespace

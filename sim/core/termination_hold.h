@@ -2,9 +2,9 @@
 
 namespace griffith {
 
-/// While one lives, SIGINT, SIGTERM and SIGHUP do not end the program but are noted, so that temporary files can be
-/// removed first. With the last of them, what was noted takes its usual course. After three signals the next one acts
-/// at once: supervisors such as timeout(1) send theirs twice.
+/// Postpones SIGINT, SIGTERM and SIGHUP during its lifetime, so that temporary files can be removed first. When the
+/// last hold ends, the last signal takes its usual effect. After three signals the next one acts at once, since
+/// supervisors such as timeout(1) send theirs twice.
 class TerminationHold {
  public:
   TerminationHold();
@@ -12,7 +12,7 @@ class TerminationHold {
   TerminationHold(const TerminationHold&) = delete;
   TerminationHold& operator=(const TerminationHold&) = delete;
 
-  /// Whether the program was asked to end since the first of them.
+  /// True if the program was asked to end since the first hold began.
   bool requested() const;
 };
 

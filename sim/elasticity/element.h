@@ -8,24 +8,24 @@
 
 namespace griffith {
 
-/// Corner positions, forces or gradients of a tet: one column a corner.
+/// Corner positions, forces or gradients of a tet: one column per corner.
 using Corners = Eigen::Matrix<double, 3, 4, Eigen::DontAlign>;
 
-/// The constant part of a linear tetrahedron.
+/// Constant data of a linear tetrahedron.
 struct RestElement {
   Corners shape_gradients;  ///< column i: g_i = grad N_i in rest space [1/m]
   double volume = 0;        ///< V at rest [m³], > 0
 };
 
-/// Rest data of a positively oriented tet with these corners [m].
+/// Returns the rest data of a positively oriented tet with these corners [m].
 RestElement rest_element(const Corners& rest_corners);
 
-/// Edge length of the cubes that six of these elements fill on the mean [m]; 0 for none.
+/// Returns the edge length of the cubes that six of these elements fill on average [m]; 0 for none.
 double mean_element_size(std::span<const RestElement> elements);
-/// That of some of the elements of a mesh.
+/// Returns the mean size of some elements of a mesh.
 double mean_element_size(std::span<const RestElement> elements, std::span<const TetId> tets);
 
-/// How an element's stress follows from its corners: the strain it measures, and Lamé's constants.
+/// Constitutive law of an element: its strain measure, and Lamé's constants.
 struct ElasticLaw {
   ElementModel model = ElementModel::corotational;
   double lambda = 0, mu = 0;  ///< [Pa]
@@ -34,17 +34,17 @@ struct ElasticLaw {
 };
 ElasticLaw elastic_law(const Material& material);
 
-/// F = sum_i x_i g_iᵀ.
+/// Returns F = sum_i x_i g_iᵀ.
 inline Mat3 deformation_gradient(const RestElement& rest, const Corners& corners) {
   return corners * rest.shape_gradients.transpose();
 }
 
-/// What a model makes of the deformation gradient F: a strain in rest space, and the frame B that carries rest space to
-/// the world so that the strain's stress acts with the forces f_i = −V B sigma g_i.
+/// Strain in rest space of a deformation gradient F, and the frame B that maps rest space to the world. The strain's
+/// stress acts with the forces f_i = −V B sigma g_i.
 ///   corotational   B = Q of the polar decomposition F = Q A,   epsilon = sym(QᵀF) − I   (Müller & Gross 2004)
 ///   green_strain   B = F,                                      epsilon = ½ (FᵀF − I)     (O'Brien & Hodgins 1999)
-/// Green's strain cannot tell an element from its mirror image, so an inverted one takes the corotational row, whose
-/// forces turn it back.
+/// Green's strain cannot distinguish an element from its mirror image. An inverted element therefore uses the
+/// corotational row, whose forces turn it back.
 struct ElementDeformation {
   Mat3 frame = Mat3::Identity();
   Mat3 strain = Mat3::Zero();
@@ -52,27 +52,28 @@ struct ElementDeformation {
 };
 ElementDeformation element_deformation(ElementModel model, const RestElement& rest, const Corners& corners);
 
-/// The stressed state of an element. Stresses are in rest space: corotated Cauchy stress, or the second
-/// Piola-Kirchhoff stress for Green's strain [Pa].
+/// Stressed state of an element. Stresses are in rest space: corotated Cauchy stress, or the second Piola-Kirchhoff
+/// stress for Green's strain [Pa].
 struct ElementState {
   Mat3 frame = Mat3::Identity();  ///< B
   SymmetricMat3 stress;
-  Mat3 tensile_traction = Mat3::Zero();  ///< B sigma⁺, sigma⁺ the tensile_part() of the stress [Pa]
-  SymmetricMat3 tension;                 ///< the tensile part as Cauchy stress in the world frame [Pa]
+  Mat3 tensile_traction = Mat3::Zero();  ///< B sigma⁺ with the tensile_part() sigma⁺ of the stress [Pa]
+  SymmetricMat3 tension;                 ///< tensile part as Cauchy stress in the world frame [Pa]
   double tension_norm = 0;               ///< Frobenius norm of `tension` [Pa]
   double energy_density = 0;             ///< ½ sigma : epsilon per rest volume [J/m³]
   bool inverted = false;
 };
 
-/// sigma = lambda tr(epsilon_e) I + 2 mu epsilon_e of the elastic strain epsilon_e = epsilon − `plastic_strain`.
+/// Returns the state of sigma = lambda tr(epsilon_e) I + 2 mu epsilon_e for the elastic strain epsilon_e = epsilon −
+/// `plastic_strain`.
 ElementState element_state(const ElasticLaw& law, const ElementDeformation& deformation,
                            const Mat3& plastic_strain = Mat3::Zero());
 
-/// A stress of rest space as Cauchy stress in the world frame, B sigma Bᵀ / det B [Pa]. The volume ratio counts as 0.01
-/// at least, so that a flat element's stress stays finite.
+/// Returns a stress of rest space as Cauchy stress in the world frame, B sigma Bᵀ / det B [Pa]. The volume ratio counts
+/// as at least 0.01, so that a flat element's stress stays finite.
 Mat3 cauchy_stress(const Mat3& frame, const Mat3& stress);
 
-/// Nodal forces of a stress of rest space, in the world frame: f_i = −V B sigma g_i [N].
+/// Returns the nodal forces of a stress of rest space in the world frame: f_i = −V B sigma g_i [N].
 inline Corners nodal_forces(const RestElement& rest, const Mat3& frame, const Mat3& stress) {
   return -rest.volume * (frame * stress) * rest.shape_gradients;
 }

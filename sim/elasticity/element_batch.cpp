@@ -5,7 +5,7 @@ namespace {
 
 using simd::DoubleLanes;
 
-/// get(lane) of all lanes.
+/// Returns get(lane) of all lanes.
 template <class Get>
 DoubleLanes gather_lanes(const Get& get) {
   return DoubleLanes{get(0), get(1), get(2), get(3)};

@@ -7,10 +7,9 @@
 namespace griffith {
 namespace {
 
-/// Slivers are elements whose frequency is higher than this many bar waves' speeds over their edge length: that of
-/// elements of good shape is below 10.
+/// Lowest frequency of slivers, in bar wave speeds over their edge length. That of well-shaped elements is below 10.
 constexpr double kSliverFrequency = 20;
-/// This share of a body's elements, its worst slivers, may be relieved.
+/// Largest fraction of a body's elements, its worst slivers, that may be relieved.
 constexpr double kSliverFraction = 0.02;
 
 double largest_eigenvalue(const Mat3& symmetric) {
@@ -18,9 +17,9 @@ double largest_eigenvalue(const Mat3& symmetric) {
   return solver.computeDirect(symmetric, Eigen::EigenvaluesOnly).eigenvalues()[2];
 }
 
-/// The highest frequency of a tet with a quarter of its mass at each corner [rad/s]. Along the axes of
-/// A = Σ g_i g_iᵀ, with eigenvalues a_i, shear has the eigenvalues mu (a_i + a_j), and stretch those of
-/// lambda √(a_i a_j) + 2 mu a_i δ_ij; all times 4/ρ.
+/// Returns the highest frequency of a tet with a quarter of its mass at each corner [rad/s]. Along the axes of A = Σ
+/// g_i g_iᵀ with eigenvalues a_i, shear has the eigenvalues mu (a_i + a_j), and extension those of lambda √(a_i a_j) +
+/// 2 mu a_i δ_ij; all times 4/ρ.
 double element_frequency(const ElasticLaw& law, double density, const RestElement& rest) {
   const Mat3 spread = rest.shape_gradients * rest.shape_gradients.transpose();
   Eigen::SelfAdjointEigenSolver<Mat3> solver;
@@ -32,7 +31,7 @@ double element_frequency(const ElasticLaw& law, double density, const RestElemen
   return std::sqrt(4 / density * std::max(shear, largest_eigenvalue(stretch)));
 }
 
-/// Whether an element is one of bad shape, not just a small one. `speed`: of bar waves [m/s].
+/// True if an element is badly shaped, not merely small. `speed`: that of bar waves [m/s].
 bool is_sliver(const RestElement& rest, double frequency, double speed) {
   return frequency * mean_element_size({&rest, 1}) > kSliverFrequency * speed;
 }
@@ -41,7 +40,7 @@ double wave_speed_of(const ElasticLaw& law, double density) {
   return std::sqrt(law.mu * (3 * law.lambda + 2 * law.mu) / (law.lambda + law.mu) / density);
 }
 
-/// Frequency above which there are as many slivers as may be relieved [rad/s].
+/// Returns the frequency above which there are as many slivers as may be relieved [rad/s].
 double sliver_limit(std::vector<double> slivers, std::size_t elements) {
   const auto relieved = static_cast<std::size_t>(kSliverFraction * static_cast<double>(elements));
   if (slivers.size() <= relieved) return 0;

@@ -4,7 +4,7 @@
 #include "sim/elasticity/element.h"
 #include "sim/elasticity/rotation_kernel.h"
 
-// What element.h tells of an element, for one (Real = double) or for four side by side (DoubleLanes), to the same bits.
+// Kernels of element.h for one element (Real = double) or four side by side (DoubleLanes), with the same bits.
 
 namespace griffith::simd {
 
@@ -39,7 +39,7 @@ struct State {
   }
 };
 
-/// F = sum_i x_i g_iᵀ: place(i, corner) and slope(i, corner) are components of corners and of shape gradients.
+/// Returns F = sum_i x_i g_iᵀ. place(i, corner) and slope(i, corner) are components of corners and of shape gradients.
 template <class Real, class Place, class Slope>
 Matrix3<Real> gradient_of(const Place& place, const Slope& slope) {
   Matrix3<Real> gradient = {};
@@ -60,7 +60,7 @@ Deformation<Real> deformation_of(ElementModel model, const Matrix3<Real>& gradie
   const Real ratio = determinant(gradient, cofactor(gradient));
   Deformation<Real> deformation;
   deformation.inverted = !(ratio > 0.0);
-  if (model == ElementModel::corotational || any(deformation.inverted)) {
+  if (model == ElementModel::corotational || any_of(deformation.inverted)) {
     deformation.frame = rotation_of(gradient);
     deformation.strain = add_to_diagonal(symmetric_product(deformation.frame, gradient), zero - 1.0);
   }
@@ -73,8 +73,8 @@ Deformation<Real> deformation_of(ElementModel model, const Matrix3<Real>& gradie
   return deformation;
 }
 
-/// B sigma Bᵀ / det B from B sigma. The volume ratio counts as 0.01 at least, so that a flat element's stress stays
-/// finite.
+/// Returns B sigma Bᵀ / det B from B sigma. The volume ratio counts as at least 0.01, so that a flat element's stress
+/// stays finite.
 template <class Real>
 Symmetric3<Real> pushed_forward(const Matrix3<Real>& traction, const Matrix3<Real>& frame, Real volume_ratio) {
   const Real zero = {};

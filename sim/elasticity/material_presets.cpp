@@ -11,7 +11,7 @@ constexpr std::string_view kAshby = "Ashby, Materials Selection in Mechanical De
 constexpr std::string_view kIce = "Schulson & Duval, Creep and Fracture of Ice (2009), typical values";
 constexpr std::string_view kHandbook = "typical handbook value";
 
-/// What a preset is made of. `toughness` is K_Ic [Pa·√m].
+/// Properties of a preset. `toughness`: K_Ic [Pa·√m].
 struct Elastic {
   double young_modulus, poisson_ratio, density;
 };
@@ -31,14 +31,14 @@ MaterialPreset preset(std::string_view key, std::string name, Elastic elastic, B
   m.density = elastic.density;
   m.tensile_strength = brittle.tensile_strength;
   m.fracture_toughness = brittle.toughness;
-  // The force on a node at the tensile strength grows with the area around it: elements of some 0.6 m are assumed.
+  // The force on a node at the tensile strength grows with the area around it. Elements of some 0.6 m are assumed.
   m.separation_toughness = 0.4 * brittle.tensile_strength;
   m.friction = surface.friction;
   m.restitution = surface.restitution;
   return {key, source, m};
 }
 
-/// K_Ic = √(G_c E / (1−ν²)) [Pa·√m] from the energy release rate G_c [J/m²], plane strain (Irwin 1957).
+/// Returns K_Ic = √(G_c E / (1−ν²)) [Pa·√m] from the energy release rate G_c [J/m²], plane strain (Irwin 1957).
 double toughness_from_energy(double release_rate, Elastic elastic) {
   return std::sqrt(release_rate * elastic.young_modulus / (1 - elastic.poisson_ratio * elastic.poisson_ratio));
 }
@@ -64,7 +64,7 @@ std::array<MaterialPreset, 17> make_presets() {
       preset("wood_across_grain", "wood, across the grain", {0.6e9, 0.30, 500}, {3e6, 0.4e6}, {0.5, 0.3}, kAshby),
       preset("abs", "ABS", {2.2e9, 0.37, 1040}, {42e6, 3.0e6}, {0.4, 0.4}, kAshby),
       preset("acrylic", "acrylic", {3.0e9, 0.37, 1190}, {65e6, 1.4e6}, {0.4, 0.4}, kAshby),
-      preset("grey_cast_iron", "grey cast iron", {110e9, 0.26, 7200}, {200e6, 15e6}, {0.4, 0.3}, kHandbook),
+      preset("grey_cast_iron", "gray cast iron", {110e9, 0.26, 7200}, {200e6, 15e6}, {0.4, 0.3}, kHandbook),
       yielding(250e6, preset("mild_steel", "mild steel", {205e9, 0.29, 7850}, {450e6, 100e6}, {0.5, 0.4}, kHandbook)),
       preset("rubber", "rubber", rubber, {20e6, toughness_from_energy(1e4, rubber)}, {0.9, 0.6},
              "typical handbook value; fracture toughness from 1e4 J/m²"),

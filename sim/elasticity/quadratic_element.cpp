@@ -11,17 +11,17 @@ namespace {
 
 using simd::DoubleLanes;
 
-/// ε_kij m_ij, twice the axial vector of the skew part but for the sign.
+/// Returns ε_kij m_ij, up to the sign twice the axial vector of the skew part.
 Vec3 axial(const Mat3& m) { return {m(1, 2) - m(2, 1), m(2, 0) - m(0, 2), m(0, 1) - m(1, 0)}; }
 
-/// The matrix with z·axial(m) = Z : m for all m.
+/// Returns the matrix Z with z·axial(m) = Z : m for all m.
 Mat3 skew(const Vec3& z) {
   Mat3 m;
   m << 0, z[2], -z[1], -z[2], 0, z[0], z[1], -z[0], 0;
   return m;
 }
 
-/// V/20 (σ_v + Σ σ): what the stress at a corner counts with [J].
+/// Returns V/20 (σ_v + Σ σ), the weighted stress of each corner [J].
 std::array<Mat3, 4> weighted_stresses(const RestElement& rest, const std::array<ElementState, 4>& corners) {
   Mat3 sum = Mat3::Zero();
   for (const ElementState& corner : corners) sum += corner.stress.full();
@@ -30,7 +30,7 @@ std::array<Mat3, 4> weighted_stresses(const RestElement& rest, const std::array<
   return weighted;
 }
 
-/// The deformations of the corners side by side. The frame of F_0 is all of theirs but with Green's strain.
+/// Returns the deformations of the corners side by side. All use the frame of F_0, except with Green's strain.
 simd::Deformation<DoubleLanes> corner_deformations(ElementModel model, const simd::Deformation<double>& whole,
                                                    const std::array<Mat3, 4>& gradients) {
   const simd::Matrix3<DoubleLanes> f = simd::side_by_side(gradients);
@@ -48,7 +48,7 @@ simd::Deformation<DoubleLanes> corner_deformations(ElementModel model, const sim
   return corners;
 }
 
-/// The mean of what stands in the four lanes.
+/// Returns the mean of the four lanes.
 simd::Symmetric3<double> mean_of(const simd::Symmetric3<DoubleLanes>& s) {
   const auto mean = [](const DoubleLanes& x) { return 0.25 * ((x[0] + x[1]) + (x[2] + x[3])); };
   return {mean(s.xx), mean(s.yy), mean(s.zz), mean(s.xy), mean(s.xz), mean(s.yz)};
@@ -59,8 +59,9 @@ simd::Symmetric3<DoubleLanes> in_all_lanes(const simd::Symmetric3<double>& s) {
   return {zero + s.xx, zero + s.yy, zero + s.zz, zero + s.xy, zero + s.xz, zero + s.yz};
 }
 
-/// What the forces on corners get because the rotation Q of F_0 = Q S follows it: with δQ = Q Ω, the energy changes by
-/// Q Z : δF_0, Z the skew matrix of (tr(S) I − S)⁻¹ axial(Σ Qᵀ F_v s_v). None where the element is flat, and Q jumps.
+/// Returns the traction on corners that follows from the dependence of the rotation Q on F_0 = Q S. With δQ = Q Ω, the
+/// energy changes by Q Z : δF_0, Z the skew matrix of (tr(S) I − S)⁻¹ axial(Σ Qᵀ F_v s_v). Zero if the element is flat,
+/// where Q jumps.
 Mat3 turning_traction(const Mat3& q, const Mat3& whole, const std::array<Mat3, 4>& gradients,
                       const std::array<Mat3, 4>& weighted) {
   Mat3 moments = Mat3::Zero();

@@ -4,20 +4,20 @@
 
 namespace griffith::simd {
 
-/// polar_rotation() where the iteration of rotation_of() does not get there.
+/// Returns polar_rotation() if the iteration of rotation_of() fails.
 Mat3 polar_rotation_by_svd(const Mat3& deformation_gradient);
 
-/// polar_rotation() of each lane, by Newton's iteration Q <- (Q + Q⁻ᵀ)/2 (Higham 1986): two or three rounds for the
-/// small strains of stiff bodies.
+/// Returns polar_rotation() of each lane by Newton's iteration Q <- (Q + Q⁻ᵀ)/2 (Higham 1986): two or three rounds for
+/// the small strains of stiff bodies.
 template <class Real>
 Matrix3<Real> rotation_of(const Matrix3<Real>& gradient) {
   constexpr int kMaxIterations = 12;
-  // Of the squared change. Convergence is quadratic, with half the square of the change left: 5e-15.
+  // Of the squared change. Convergence is quadratic, and leaves half the square of the change: 5e-15.
   constexpr double kTolerance = 1e-14;
   Matrix3<Real> q = gradient;
   auto is_searching = (Real{} < 1.0);
   auto is_found = !is_searching;
-  for (int i = 0; i < kMaxIterations && any(is_searching); ++i) {
+  for (int i = 0; i < kMaxIterations && any_of(is_searching); ++i) {
     const Matrix3<Real> c = cofactor(q);
     const Real det = determinant(q, c);
     is_searching = is_searching & (det > 1e-3);

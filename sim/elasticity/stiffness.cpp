@@ -5,7 +5,7 @@
 namespace griffith {
 namespace {
 
-/// What in Green's model depends on the stretch: V [ mu (g_i·g_j) B Bᵀ + (g_iᵀ sigma⁺ g_j) I ].
+/// Adds the terms of Green's model that depend on the deformation: V [ mu (g_i·g_j) B Bᵀ + (g_iᵀ sigma⁺ g_j) I ].
 void add_green_terms(const ElasticLaw& law, const RestElement& rest, const ElementState& state, int corner,
                      double factor, StiffnessRow& row) {
   const Mat3 metric = factor * rest.volume * law.mu * state.frame * state.frame.transpose();

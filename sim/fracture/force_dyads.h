@@ -4,22 +4,22 @@
 
 namespace griffith {
 
-/// A split force [N] in the first three lanes; the fourth counts for nothing.
+/// Split force [N] in the first three lanes. The fourth lane is meaningless.
 struct ForceLanes {
   simd::WideQuad tensile = {}, compressive = {};
 };
 
-/// 1/length of each lane, 0 of none.
+/// Returns 1/length of each lane; 0 for length 0.
 inline simd::DoubleLanes inverse_or_zero(simd::DoubleLanes length) {
   const simd::DoubleLanes zero = {};
   return length > 0.0 ? 1.0 / length : zero;
 }
 
-/// A sum of m(f⁺) − m(f⁻) [N], by columns.
+/// Sum of m(f⁺) − m(f⁻) [N], by columns.
 struct Dyads {
   simd::WideQuad columns[3] = {};
 
-  /// Adds `factor` times that of two elements, in their order: 1 and −1 cancel exactly.
+  /// Adds `factor` times the dyads of two elements, in order, so that 1 and −1 cancel exactly.
   void add(const ForceLanes& first, const ForceLanes& second, double factor) {
     simd::WideQuad a = first.tensile, b = first.compressive, c = second.tensile, d = second.compressive;
     simd::transpose(a, b, c, d);

@@ -10,7 +10,7 @@
 namespace griffith {
 namespace {
 
-/// The nodes round the separating one and where they lie about its plane.
+/// Nodes around the separating one with their sides of its plane.
 class PlaneSides {
  public:
   PlaneSides(const TetMesh& mesh, std::span<const Vec3> positions, NodeId node, const Vec3& normal) {
@@ -18,14 +18,14 @@ class PlaneSides {
       for (NodeId corner : mesh.tets[tet]) heights_[corner] = {normal.dot(positions[corner] - positions[node]), false};
   }
   void snap(NodeId node) { heights_.at(node).snapped = true; }
-  /// Above the plane [m]; 0 for nodes that count as on it, and for those made since.
+  /// Returns the height above the plane [m]; 0 for nodes on it and for new ones.
   double height(NodeId node) const {
     const auto found = heights_.find(node);
     return found == heights_.end() || found->second.snapped ? 0 : found->second.height;
   }
   bool crosses(NodeId a, NodeId b) const { return height(a) * height(b) < 0; }
-  /// Which of the tets lie above (1) and which below (0), by those of their corners that are not on the plane; where
-  /// all are, by all of them. When that leaves one side empty, every corner counts for every tet.
+  /// Returns 1 for tets above and 0 for tets below the plane, from their corners off the plane; from all corners if
+  /// none is off. If one side is empty then, all corners of all tets count.
   std::vector<std::uint8_t> tets_above(const TetMesh& mesh, const std::vector<TetId>& tets) const {
     std::vector<std::uint8_t> by_snapped, by_all;
     for (TetId tet : tets) {
@@ -49,7 +49,7 @@ class PlaneSides {
   std::map<NodeId, Height> heights_;
 };
 
-/// An edge that the plane crosses, at (1 − weight) a + weight b.
+/// Edge across the plane, cut at (1 − weight) a + weight b.
 struct CrossedEdge {
   NodeId a, b;
   double weight, length;
@@ -71,7 +71,8 @@ std::vector<CrossedEdge> crossed_edges(const TetMesh& mesh, const PlaneSides& si
   return edges;
 }
 
-/// Nodes seen from the separating one at a small angle to the plane; the angle is wider for those of a crack front.
+/// Snaps nodes at a small angle to the plane, seen from the separating node. The angle is larger for nodes of a crack
+/// front.
 void snap_near_nodes(const TetMesh& mesh, std::span<const Vec3> positions, std::span<const std::uint8_t> at_crack_front,
                      NodeId node, const RemeshOptions& options, PlaneSides& sides) {
   for (NodeId other : nodes_of(mesh, mesh.stars[node])) {
@@ -81,7 +82,7 @@ void snap_near_nodes(const TetMesh& mesh, std::span<const Vec3> positions, std::
   }
 }
 
-/// Surface faces at the separating node that lie nearly along the plane: no thin skin is cut off there.
+/// Snaps surface faces at the separating node that are nearly parallel to the plane, so that no thin skin is cut off.
 void snap_surface(const TetMesh& mesh, std::span<const Vec3> positions, NodeId node, const Vec3& normal, double angle,
                   PlaneSides& sides) {
   for (TetId tet : mesh.stars[node])
@@ -94,7 +95,8 @@ void snap_surface(const TetMesh& mesh, std::span<const Vec3> positions, NodeId n
     }
 }
 
-/// Snaps the nearer ends of edges that are crossed close to it or must not be bisected; returns how many must not.
+/// Snaps the nearer ends of edges that are crossed close to an end or must not be bisected. Returns the number of the
+/// latter.
 int snap_edges(const TetMesh& mesh, std::vector<CrossedEdge>& edges, const RemeshOptions& options, PlaneSides& sides) {
   int refused = 0;
   std::ranges::stable_sort(edges, {}, &CrossedEdge::fraction);
@@ -109,8 +111,8 @@ int snap_edges(const TetMesh& mesh, std::vector<CrossedEdge>& edges, const Remes
   return refused;
 }
 
-/// Bisects the edges, the longest first, which keeps the shapes good. The tets round an edge may have changed since
-/// snap_edges() looked; returns how many edges must not be bisected after all.
+/// Bisects the edges, the longest first, which keeps shapes good. The tets around an edge may have changed since
+/// snap_edges(). Returns the number of edges that must not be bisected after all.
 int bisect_edges(TetMesh& mesh, std::vector<CrossedEdge>& edges, const BisectionLimits& limits, Subdivision& log) {
   int refused = 0;
   std::ranges::stable_sort(edges, std::ranges::greater{}, &CrossedEdge::length);

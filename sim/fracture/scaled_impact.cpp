@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "sim/mesh/number_text.h"
+#include "sim/core/number_text.h"
 
 namespace griffith {
 

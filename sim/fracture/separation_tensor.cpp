@@ -28,7 +28,7 @@ ForceLanes force_lanes(const RestElement& rest, const ElementState& state, int c
 
 StarLoad star_load(const SeparationInput& input, NodeId node, const Mat3& tensor, const LargestPrincipal& pulled) {
   StarLoad load{.tensor = tensor, .pulled = pulled};
-  simd::WideQuad diagonal = {}, others = {};  // of volume times tension
+  simd::WideQuad diagonal = {}, others = {};  // sums of volume times tension
   for (TetId tet : input.stars[node]) {
     if (!counts(input, tet, node)) continue;
     const RestElement& rest = input.rest_elements[tet];
@@ -54,7 +54,7 @@ std::array<LargestPrincipal, 4> principals_of(const std::array<Mat3, 4>& symmetr
   return largest_principals(symmetric);
 }
 
-/// The unit normals n with the largest n·S n / n·T n.
+/// Returns the unit normals n with the largest n·S n / n·T n.
 template <std::size_t N>
 std::array<Vec3, N> weakest_normals(std::array<Mat3, N> tensors, const std::array<DirectionalStrength, N>& strengths) {
   std::array<Mat3, N> roots;
@@ -76,20 +76,20 @@ bool all_uniform(const std::array<DirectionalStrength, N>& strengths) {
   return std::ranges::all_of(strengths, &DirectionalStrength::is_uniform);
 }
 
-/// The plane that the separation tensor pulls at, across `normal`.
+/// Returns the plane normal to `normal` with the load of the separation tensor.
 CandidatePlane pulled_plane(const StarLoad& load, const Vec3& normal) {
   CandidatePlane plane;
   plane.normal = plane.pulled = normal;
   plane.eigenvalue = normal.dot(load.tensor * normal);
   plane.volume = load.volume;
-  // Where hardly any face meets the plane (a star of one tet, say) the quotient means nothing: no plane can carry more
-  // than the stress that is there.
+  // If hardly any face meets the plane (as in a star of one tet) the quotient is meaningless. No plane can carry more
+  // than the existing stress.
   if (load.pulled.value > 0 && load.area > 0)
     plane.stress = std::min(1 / load.area, load.largest / load.pulled.value) * plane.eigenvalue;
   return plane;
 }
 
-/// Takes the plane across `normal` where the mean tensile stress asks more of it.
+/// Takes the plane normal to `normal` if the mean tensile stress has a higher load there.
 void take_if_weaker(const Mat3& average, const Vec3& normal, const DirectionalStrength& strength,
                     CandidatePlane& plane) {
   const double stress = normal.dot(average * normal);
@@ -99,7 +99,7 @@ void take_if_weaker(const Mat3& average, const Vec3& normal, const DirectionalSt
   plane.by_tension = true;
 }
 
-/// The plane of each: what takes longest, eigenvectors, side by side.
+/// Returns the plane of each. Eigenvectors take longest and are computed side by side.
 template <std::size_t N>
 std::array<CandidatePlane, N> find_planes(const std::array<StarLoad, N>& loads,
                                           const std::array<DirectionalStrength, N>& strengths) {
@@ -112,7 +112,7 @@ std::array<CandidatePlane, N> find_planes(const std::array<StarLoad, N>& loads,
   if (!all_uniform(strengths)) normals = weakest_normals(tensors, strengths);
 
   std::array<CandidatePlane, N> planes;
-  std::array<bool, N> is_open;  // whether the mean stress may have a plane that is weaker
+  std::array<bool, N> is_open;  // true if the mean stress may have a weaker plane
   for (std::size_t i = 0; i < N; ++i) {
     const double volume = loads[i].volume;
     planes[i] = pulled_plane(loads[i], normals[i]);

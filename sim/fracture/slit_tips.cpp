@@ -10,7 +10,7 @@
 namespace griffith {
 
 std::vector<NodeId> slit_tips(const TetMesh& mesh) {
-  // Per node, where the surface's edges from it lead, and to which node there.
+  // Per node and position at the end of a surface edge from it: the node there.
   std::map<std::pair<NodeId, std::array<double, 3>>, NodeId> edge_ends;
   std::set<NodeId> tips;
   for (const TetId tet : IdRange<TetId>(0, mesh.tet_count()))

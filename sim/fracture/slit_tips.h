@@ -6,8 +6,8 @@
 
 namespace griffith {
 
-/// The nodes at which slits end, ascending: crack fronts that a mesh has from the start. A slit is where two sides of
-/// the surface lie on each other; from its tip two edges lead to the same place, one along either side.
+/// Returns the nodes at the ends of slits, ascending: initial crack fronts of a mesh. Two sides of the surface coincide
+/// at a slit. From its tip two edges lead to the same place, one along either side.
 std::vector<NodeId> slit_tips(const TetMesh& mesh);
 
 }  // namespace griffith

@@ -22,7 +22,7 @@ Vec3 centroid(const TetMesh& mesh, std::span<const Vec3> positions, TetId tet) {
   return sum / 4;
 }
 
-/// Faces at the node that join tets on opposite sides, each once.
+/// Returns the faces at the node between tets on opposite sides, without duplicates.
 std::vector<CutFace> faces_across(const TetMesh& mesh, NodeId node, std::span<const std::uint8_t> above) {
   const std::vector<TetId>& star = mesh.stars[node];
   const auto is_above = [&](TetId tet) { return above[std::ranges::lower_bound(star, tet) - star.begin()] != 0; };
@@ -45,7 +45,7 @@ void cut(TetMesh& mesh, const std::vector<CutFace>& faces) {
   }
 }
 
-/// Undoes cut(): the faces still match because no node has been copied yet.
+/// Reverts cut(). The faces still match because no node has been copied yet.
 void join(TetMesh& mesh, const std::vector<CutFace>& faces) {
   for (const CutFace& cut_face : faces) {
     mesh.neighbours[cut_face.tet][cut_face.face] = cut_face.neighbour;
@@ -55,7 +55,7 @@ void join(TetMesh& mesh, const std::vector<CutFace>& faces) {
   }
 }
 
-/// Whether one of the face-connected pieces beside the faces has fewer than `count` tets.
+/// True if one of the face-connected pieces beside the faces has fewer than `count` tets.
 bool leaves_small_piece(const TetMesh& mesh, const std::vector<CutFace>& faces, int count) {
   std::unordered_set<TetId> large;  // tets of pieces known to be large enough
   const auto is_small = [&](TetId start) {
@@ -74,7 +74,7 @@ bool leaves_small_piece(const TetMesh& mesh, const std::vector<CutFace>& faces, 
                              [&](const CutFace& face) { return is_small(face.tet) || is_small(face.neighbour); });
 }
 
-/// Gives every component of the node's star but the first a copy of the node.
+/// Gives every component of the node's star except the first a copy of the node.
 void part_node(TetMesh& mesh, NodeId node, SplitResult& result) {
   std::vector<std::vector<TetId>> components = star_components(mesh, node);
   std::stable_sort(components.begin(), components.end(),

@@ -13,7 +13,7 @@ namespace {
 using simd::DoubleLanes;
 using simd::WideQuad;
 
-/// What each corner of an element gets.
+/// Sums of each corner of an element.
 using CornerSums = std::array<StarSums*, 4>;
 
 void add_forces(const CornerVectors& tensile, const CornerVectors& compressive, const CornerSums& to) {
@@ -24,7 +24,7 @@ void add_forces(const CornerVectors& tensile, const CornerVectors& compressive, 
   }
 }
 
-/// Vectors of unit length, and 0 of 0.
+/// Returns unit vectors; 0 for 0.
 CornerVectors directions_of(const CornerVectors& f) {
   return inverse_or_zero(simd::root(f.x * f.x + f.y * f.y + f.z * f.z)) * f;
 }
@@ -60,7 +60,7 @@ void add_element(const RestElement& rest, const ElementState& state, bool anchor
   if (!anchored) add_tension(rest.volume, state, to);
 }
 
-/// The same of a quadratic element, each corner of which has a state of its own.
+/// The same for a quadratic element, each corner of which has its own state.
 void add_element(const RestElement& rest, const std::array<ElementState, 4>& states, bool anchored,
                  const CornerSums& to) {
   const auto at_corners = [&](const auto& vector_at) {
@@ -105,14 +105,14 @@ void add_area(const RestElement& rest, const ElementState& state, const CornerSu
 
 Mat3 tensor_of(const Dyads& dyads) { return 0.5 * simd::matrix_of(dyads.columns); }
 
-/// The separation tensors of nodes whose forces are added up, and their largest eigenpairs.
+/// Computes the separation tensors of nodes with complete sums, and their largest eigenpairs.
 void find_pulls(const SeparationInput& input, std::span<const NodeId> nodes, std::span<StarSums> sums) {
   constexpr std::size_t kLanes = 4;
   for (std::size_t first = 0; first < nodes.size(); first += kLanes) {
     const std::size_t count = std::min(kLanes, nodes.size() - first);
     std::array<Mat3, kLanes> tensors;
     for (std::size_t i = 0; i < kLanes; ++i) {
-      StarSums& star = sums[nodes[first + std::min(i, count - 1)]];  // lanes to spare repeat the last
+      StarSums& star = sums[nodes[first + std::min(i, count - 1)]];  // spare lanes repeat the last one
       if (i < count && !is_constrained(input, nodes[first + i])) star.dyads.add(star.total, {}, -1);
       tensors[i] = tensor_of(star.dyads);
     }

@@ -26,7 +26,7 @@ std::vector<double> strength_factors(const StrengthScatter& scatter, const std::
   std::vector<double> factors;
   factors.reserve(volumes.size());
   for (double volume : volumes) {
-    // Standard distributions differ between libraries: 53 random bits in (0, 1) are the same everywhere.
+    // Standard distributions differ between libraries, but 53 random bits in (0, 1) are the same everywhere.
     const double uniform = (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53;
     factors.push_back(std::pow(-std::log(uniform) * scatter.reference_volume / volume, 1 / m) / std::tgamma(1 + 1 / m));
   }

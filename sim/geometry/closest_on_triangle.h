@@ -6,7 +6,7 @@
 
 namespace griffith {
 
-/// The point of a triangle nearest to p, as barycentric weights of its corners (Ericson 2005, 5.1.5).
+/// Returns the point of a triangle nearest to p, as barycentric weights of the corners (Ericson 2005, 5.1.5).
 inline Vec3 closest_on_triangle(const Vec3& p, const std::array<Vec3, 3>& corners) {
   const auto& [a, b, c] = corners;
   const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;

@@ -6,7 +6,7 @@
 
 namespace griffith::contact {
 
-/// The connected components of a graph: per node the smallest index in its component.
+/// Returns the connected components of a graph: for each node, the smallest index in its component.
 std::vector<int> connected_groups(int count, std::span<const std::pair<int, int>> edges);
 
 }  // namespace griffith::contact

@@ -21,7 +21,7 @@ std::vector<std::vector<int>> face_polygons(const btConvexHullComputer& computer
   return faces;
 }
 
-/// Twice the polygon's area times its outward unit normal.
+/// Returns twice the polygon's area times its outward unit normal.
 Vec3 area_vector(const std::vector<Vec3>& corners, const std::vector<int>& face) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 2; i < face.size(); ++i)
@@ -29,7 +29,7 @@ Vec3 area_vector(const std::vector<Vec3>& corners, const std::vector<int>& face)
   return sum;
 }
 
-/// Sums volume and area, and turns the faces outward should they all look inward.
+/// Sums volume and area. Reverses the faces if all of them face inward.
 void measure(ConvexHull& hull) {
   for (const std::vector<int>& face : hull.faces) {
     const Vec3 doubled_area = area_vector(hull.corners, face);
@@ -56,7 +56,7 @@ ConvexHull convex_hull(std::span<const Vec3> points) {
 }
 
 std::vector<Vec3> shrunken_corners(const ConvexHull& hull, double distance) {
-  // The shift d of a corner minimises the sum of (n·d + distance)² over the normals n of its faces.
+  // The shift d of a corner minimizes the sum of (n·d + distance)² over the normals n of its faces.
   std::vector<Mat3> matrices(hull.corners.size(), Mat3::Zero());
   std::vector<Vec3> sums(hull.corners.size(), Vec3::Zero());
   for (const std::vector<int>& face : hull.faces) {

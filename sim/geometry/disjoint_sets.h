@@ -6,7 +6,7 @@
 
 namespace griffith {
 
-/// Disjoint sets of the numbers 0 .. count − 1 (Tarjan 1975); a set is known by its smallest number.
+/// Disjoint sets of the numbers 0 .. count − 1 (Tarjan 1975). The smallest number identifies a set.
 class DisjointSets {
  public:
   explicit DisjointSets(int count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0); }

@@ -7,7 +7,7 @@
 
 namespace griffith {
 
-/// The corners of a triangle, the same whichever comes first and whichever way round they go.
+/// Corners of a triangle in a canonical order, independent of first corner and orientation.
 using FaceKey = std::array<std::array<double, 3>, 3>;
 
 inline FaceKey face_key(const std::array<Vec3, 3>& corners) {

@@ -12,15 +12,15 @@
 
 namespace griffith {
 
-/// Points sorted into equal boxes, to find those in a region.
+/// Points sorted into equal boxes, for searches in a region.
 class PointGrid {
  public:
-  /// `edge`: of the boxes [m], > 0; they are longer where they would be many more than the points. Points that are
-  /// not finite are in any one.
+  /// `edge`: length of the boxes [m], > 0, increased if there would be many more boxes than points. Points that are not
+  /// finite may be in any box.
   PointGrid(std::span<const Vec3> points, double edge);
 
-  /// Calls use(index) once for every point in a region, and for some beside it; in an order that depends on the points
-  /// and the region alone.
+  /// Calls use(index) once for every point in a region, and for some near it. The order depends only on the points and
+  /// the region.
   template <class Use>
   void visit(const Eigen::AlignedBox3d& region, Use use) const {
     const std::array<int, 3> first = place_of(region.min()), last = place_of(region.max());
@@ -32,15 +32,15 @@ class PointGrid {
   }
 
  private:
-  /// Boxes of that edge along each axis, but no more than a few a point in all.
+  /// Returns the numbers of boxes of that edge along each axis, limited to a few per point in total.
   static std::array<int, 3> counts_along(const Vec3& sizes, double edge, std::size_t points);
   std::array<int, 3> place_of(const Vec3& point) const;
   int box_of(const Vec3& point) const;
 
-  Vec3 corner_ = Vec3::Zero(), per_length_ = Vec3::Zero();  ///< boxes a length along each axis [1/m]
+  Vec3 corner_ = Vec3::Zero(), per_length_ = Vec3::Zero();  ///< lower corner [m]; boxes per length [1/m]
   std::array<int, 3> counts_{1, 1, 1};
-  std::vector<int> starts_;  ///< per box, into points_, and the end
-  std::vector<int> points_;  ///< by box
+  std::vector<int> starts_;  ///< per box: start in points_; then the end
+  std::vector<int> points_;  ///< indices of points, by box
 };
 
 inline std::array<int, 3> PointGrid::counts_along(const Vec3& sizes, double edge, std::size_t points) {

@@ -5,7 +5,7 @@
 namespace griffith {
 namespace {
 
-/// Newell's normal: right for polygons that are not plane or not convex, too.
+/// Returns Newell's normal, correct also for polygons that are neither plane nor convex.
 Vec3 normal_of(std::span<const Vec3> corners) {
   Vec3 normal = Vec3::Zero();
   for (std::size_t i = 0; i < corners.size(); ++i)
@@ -17,7 +17,7 @@ double turn(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal) {
   return normal.dot((b - a).cross(c - a));
 }
 
-/// Whether the corner at `place` of the loop sticks out and no other corner lies in its triangle.
+/// True if the corner at `place` of the loop is convex and no other corner lies in its triangle.
 bool is_ear(std::span<const Vec3> corners, const std::vector<int>& loop, std::size_t place, const Vec3& normal) {
   const std::size_t count = loop.size();
   const Vec3 &a = corners[loop[(place + count - 1) % count]], &b = corners[loop[place]],
@@ -41,7 +41,7 @@ std::vector<std::array<int, 3>> triangulate(std::span<const Vec3> corners) {
     const std::size_t count = loop.size();
     std::size_t ear = 0;
     while (ear < count && !is_ear(corners, loop, ear, normal)) ++ear;
-    if (ear == count) ear = 1;  // a polygon that crosses itself: any corner will do
+    if (ear == count) ear = 1;  // a polygon that crosses itself: any corner is as good
     triangles.push_back({loop[(ear + count - 1) % count], loop[ear % count], loop[(ear + 1) % count]});
     loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(ear % count));
   }

@@ -8,8 +8,9 @@
 
 namespace griffith {
 
-/// Cuts a polygon, convex or not and nearly plane, into triangles by clipping ears (Meisters 1975): always two fewer
-/// than it has corners, turning the way it does. Indices into `corners`; nothing for fewer than three.
+/// Divides a nearly plane polygon, convex or not, into triangles by ear clipping (Meisters 1975). Returns indices into
+/// `corners`: two triangles fewer than corners, with the orientation of the polygon. Empty for fewer than three
+/// corners.
 std::vector<std::array<int, 3>> triangulate(std::span<const Vec3> corners);
 
 }  // namespace griffith

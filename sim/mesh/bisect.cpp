@@ -9,7 +9,7 @@
 namespace griffith {
 namespace {
 
-/// Links the halves of a piece's tets with each other and with what lies behind them. The child of piece[i] is tet
+/// Links the halves of a piece's tets with each other and with the tets behind them. The child of piece[i] is tet
 /// `first_child` + i.
 void link_children(TetMesh& mesh, const std::vector<TetId>& piece, const std::vector<TetBisection>& halves) {
   const auto child_of = [&](TetId tet) {
@@ -26,7 +26,7 @@ void link_children(TetMesh& mesh, const std::vector<TetId>& piece, const std::ve
   }
 }
 
-/// Takes the halved tets out of the star of `b`, and puts their children into the stars of their corners.
+/// Removes the bisected tets from the star of `b`, and adds their children to the stars of their corners.
 void update_stars(TetMesh& mesh, const std::vector<TetId>& piece, const std::vector<TetBisection>& halves, NodeId b,
                   NodeId middle) {
   std::erase_if(mesh.stars[b], [&](TetId tet) { return std::binary_search(piece.begin(), piece.end(), tet); });
@@ -53,7 +53,7 @@ void bisect_piece(TetMesh& mesh, const std::vector<TetId>& piece, NodeId a, Node
   log.tets.insert(log.tets.end(), halves.begin(), halves.end());
 }
 
-/// The quality of a tet with one corner elsewhere.
+/// Returns the quality of a tet with one corner moved.
 double quality_with(const TetMesh& mesh, TetId tet, int corner, const Vec3& place) {
   std::array<Vec3, 4> points;
   for (int i = 0; i < 4; ++i) points[i] = i == corner ? place : mesh.rest_positions[mesh.tets[tet][i]];

@@ -50,7 +50,7 @@ HexMesh make_box_hexes(const Vec3& size, const std::array<int, 3>& cells) {
   for (int k = 0; k <= cells[2]; ++k)
     for (int j = 0; j <= cells[1]; ++j)
       for (int i = 0; i <= cells[0]; ++i) {
-        // From the middle, so that opposite sides are exact mirror images.
+        // Measured from the middle, so that opposite sides are exact mirror images.
         const Vec3 half_steps(2 * i - cells[0], 2 * j - cells[1], 2 * k - cells[2]);
         box.points.push_back(0.5 * half_steps.cwiseProduct(cell_size));
       }

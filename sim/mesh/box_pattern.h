@@ -2,11 +2,11 @@
 
 namespace griffith {
 
-/// How a box cell is cut into tetrahedra.
+/// Division of a box cell into tetrahedra.
 enum class BoxPattern {
-  kuhn,      ///< 6 tets round the cell's diagonal, the same way in every cell
-  five_tet,  ///< 5 tets, mirrored from cell to cell: softer in bending, no preferred diagonal
-  bcc,       ///< body-centred cubic: a node in each cell's middle
+  kuhn,      ///< 6 tets around the cell's diagonal, with the same orientation in every cell
+  five_tet,  ///< 5 tets, mirrored from cell to cell: softer in bending, without a preferred diagonal
+  bcc,       ///< body-centered cubic, with a node in the center of each cell
 };
 
 }  // namespace griffith

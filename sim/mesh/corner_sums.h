@@ -7,11 +7,11 @@
 
 namespace griffith {
 
-/// Adds up at nodes what elements give them, element by element: each is read once, not once a corner, and the sums are
-/// those over the stars of the nodes to the bit, since stars ascend too. `body_tets`: of one body, ascending; `nodes`:
-/// some of its nodes in a row, ascending, not none; `sums`: per node of the mesh. Calls add(tet, to) for each tet with
-/// a corner among the nodes, where to[i] points to the sum of corner i, or, of a node that is none of them, to one that
-/// nobody reads: so threads with other nodes of the body do not meet.
+/// Sums contributions of elements at nodes, element by element. Each element is read once, not once per corner. The
+/// sums equal those over the nodes' stars to the bit, since stars are ascending too. `body_tets`: those of one body,
+/// ascending; `nodes`: a consecutive range of its nodes, ascending, not empty; `sums`: per node of the mesh. Calls
+/// add(tet, to) for each tet with a corner among the nodes. to[i] points to the sum of corner i, or to an unused one
+/// for corners that are not among the nodes. Threads with different nodes of a body therefore do not interfere.
 template <class Sum, class Add>
 void add_at_corners(std::span<const std::array<NodeId, 4>> tets, std::span<const TetId> body_tets,
                     std::span<const NodeId> nodes, std::span<Sum> sums, const Add& add) {

@@ -66,7 +66,7 @@ bool FileCursor::skip_past(std::string_view wanted) {
 
 void FileCursor::require_room(std::int64_t count, std::int64_t numbers_each, std::int64_t bytes_per_number,
                               const char* what) const {
-  // As text a number takes a digit and a blank at least.
+  // A number takes at least a digit and a blank as text.
   const double each = double(numbers_each) * double(encoding == Encoding::text ? 2 : bytes_per_number);
   const double room = double(text_.size() - offset_) + 1;
   if (count < 0 || count > std::numeric_limits<std::int32_t>::max() || double(count) * each > room)

@@ -12,10 +12,10 @@
 
 namespace griffith {
 
-/// How numbers are stored.
+/// Storage of numbers.
 enum class Encoding { text, little_endian, big_endian };
 
-/// The little-endian or big-endian number at `bytes`.
+/// Returns the little-endian or big-endian number at `bytes`.
 template <class T>
 T decode_number(const char* bytes, Encoding encoding) {
   char copy[sizeof(T)];
@@ -26,7 +26,7 @@ T decode_number(const char* bytes, Encoding encoding) {
 }
 static_assert(std::endian::native == std::endian::little);
 
-/// Parses a whole word as a finite number; false when it is something else or out of T's range.
+/// Parses a whole word as a finite number. Returns false for anything else and for numbers out of T's range.
 template <class T>
 bool parse_number(std::string_view word, T& value) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
@@ -36,31 +36,31 @@ bool parse_number(std::string_view word, T& value) {
   return true;
 }
 
-/// A position in a mesh file held in memory. Every read names what it expects there; what it finds instead is answered
-/// with an InputError that names the file and the line or, where numbers are binary, the byte.
+/// Position in a mesh file held in memory. Every read names the expected item. Anything else causes an InputError that
+/// names the file and the line or, for binary numbers, the byte.
 class FileCursor {
  public:
-  /// Reads the file. Words are parted by white space and by any of `separators`; `comment`, if not 0, starts a comment
-  /// that lasts to the end of the line.
+  /// Reads the file. White space and any of `separators` separate words. `comment`, if not 0, starts a comment up to
+  /// the end of the line.
   explicit FileCursor(const std::filesystem::path& path, std::string_view separators = "", char comment = 0);
 
-  /// Encoding of the numbers that follow; words are text always.
+  /// Encoding of the following numbers. Words are always text.
   Encoding encoding = Encoding::text;
 
-  /// Whether only blanks and comments remain.
+  /// True if only blanks and comments remain.
   bool at_end();
-  /// The next word.
+  /// Returns the next word.
   std::string_view word(const char* expected);
   /// Reads a word that must be `text`.
   void expect(std::string_view text);
-  /// What is left of the current line, without its line break; the cursor moves behind the break.
+  /// Returns the rest of the current line without its line break. The cursor moves past the break.
   std::string_view rest_of_line();
-  /// `count` raw bytes.
+  /// Returns `count` raw bytes.
   std::string_view bytes(std::int64_t count, const char* expected);
-  /// Moves behind the next occurrence of `text`; false, and to the end, when there is none.
+  /// Moves past the next occurrence of `text`. Returns false and moves to the end if there is none.
   bool skip_past(std::string_view text);
 
-  /// The next number, in the current encoding; finite.
+  /// Returns the next finite number in the current encoding.
   template <class T>
   T number(const char* expected) {
     T value{};
@@ -75,12 +75,12 @@ class FileCursor {
     return value;
   }
 
-  /// Refuses a count that is negative or that the rest of the file cannot hold, at `numbers_each` numbers of
-  /// `bytes_per_number` bytes (if binary): a wrong count must not fill the memory.
+  /// Rejects a count that is negative or that the rest of the file cannot hold, at `numbers_each` numbers of
+  /// `bytes_per_number` bytes (if binary). Prevents a wrong count from filling the memory.
   void require_room(std::int64_t count, std::int64_t numbers_each, std::int64_t bytes_per_number,
                     const char* what) const;
 
-  /// All of the file.
+  /// Returns the whole file.
   std::string_view text() const { return text_; }
   std::size_t offset() const { return offset_; }
   void seek(std::size_t offset) { offset_ = offset; }
@@ -95,7 +95,7 @@ class FileCursor {
   std::string separators_;
   char comment_;
   std::size_t offset_ = 0;
-  std::size_t start_ = 0;  ///< of what was read last, for messages
+  std::size_t start_ = 0;  ///< start of the last item read, for messages
 };
 
 }  // namespace griffith

@@ -8,7 +8,7 @@
 namespace griffith {
 namespace {
 
-/// The faces of a cell, corners counter-clockwise seen from outside.
+/// Faces of a cell, corners counterclockwise seen from outside.
 constexpr std::array<std::array<int, 4>, 6> kHexFaces = {
     {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
 
@@ -21,7 +21,7 @@ Quad cell_face(const std::array<int, 8>& cell, int face) {
   return quad;
 }
 
-/// The two triangles of a quad, split through its smallest node: both cells at the face find the same ones.
+/// Returns the two triangles of a quad, split through its smallest node, so that both cells at the face agree.
 std::array<Triangle, 2> split_quad(Quad quad) {
   std::rotate(quad.begin(), std::min_element(quad.begin(), quad.end()), quad.end());
   return {{{quad[0], quad[1], quad[2]}, {quad[0], quad[2], quad[3]}}};
@@ -41,7 +41,7 @@ std::vector<std::array<int, 4>> cut_kuhn(const HexMesh& hexes) {
   return tets;
 }
 
-/// Per node 0 or 1, different at the two ends of every cell edge.
+/// Returns 0 or 1 per node, different at the two ends of every cell edge.
 std::vector<std::int8_t> alternate_colors(const HexMesh& hexes) {
   std::vector<std::vector<int>> cells_of_node(hexes.points.size());
   for (int i = 0; i < static_cast<int>(hexes.cells.size()); ++i)
@@ -90,7 +90,7 @@ struct CellFace {
   bool operator<(const CellFace& other) const { return std::tie(key, cell) < std::tie(other.key, other.cell); }
 };
 
-/// All faces of all cells; the two sides of an inner face stand side by side.
+/// Returns all faces of all cells, with the two sides of an inner face in sequence.
 std::vector<CellFace> sorted_faces(const HexMesh& hexes) {
   std::vector<CellFace> faces;
   faces.reserve(6 * hexes.cells.size());

@@ -10,32 +10,32 @@
 
 namespace griffith {
 
-/// No generator makes more cells than this: a slip in an element size should not fill the memory.
+/// Largest number of cells of any generator, so that a typo in an element size does not fill the memory.
 inline constexpr int kMaxCells = 20'000'000;
 
-/// Hexahedra as generated. Corner c of a cell lies at its local coordinates (c & 1, c >> 1 & 1, c >> 2), a right-handed
+/// Hexahedra as generated. Corner c of a cell has the local coordinates (c & 1, c >> 1 & 1, c >> 2) in a right-handed
 /// frame. Cells meet in whole faces.
 struct HexMesh {
   std::vector<Vec3> points;               ///< [m]
   std::vector<std::array<int, 8>> cells;  ///< indices into `points`
 };
 
-/// Cuts every cell into tets whose faces conform, also where cells meet at odd angles: every diagonal is chosen by the
-/// nodes alone. `kuhn`: 6 tets that share the cell's smallest node, each face split through its smallest node (after
-/// Dompierre et al. 1999). `five_tet`: the nodes are coloured alternately along the edges, each cell's inner tet has
-/// the corners of one colour; an edge cycle of odd length is a programmer's mistake. `bcc`: a node in the middle of
-/// each cell, 4 tets round each inner face, 2 on each outer one.
+/// Cuts every cell into tets with conforming faces, also where cells meet at odd angles, since nodes alone determine
+/// every diagonal. `kuhn`: 6 tets that share the cell's smallest node, each face split through its smallest node (after
+/// Dompierre et al. 1999). `five_tet`: nodes are colored alternately along the edges, and the inner tet of a cell has
+/// corners of one color; an edge cycle of odd length is a programming error. `bcc`: a node in the center of each cell,
+/// 4 tets around each inner face, 2 on each outer one.
 TetSoup cut_into_tets(const HexMesh& hexes, BoxPattern pattern);
 
-/// Builds hexahedra from mapped blocks. A node is known by four integers of the caller's choosing, so blocks that name
-/// their common nodes alike share them.
+/// Builder of hexahedra from mapped blocks. Four integers chosen by the caller identify a node, so blocks share nodes
+/// of the same integers.
 class HexMeshBuilder {
  public:
   using Key = std::array<int, 4>;
 
-  /// The node's index; `position` counts the first time.
+  /// Returns the node's index. Only the first call with a key uses `position`.
   int node(const Key& key, const Vec3& position);
-  /// Adds a cell with its corners in HexMesh's order; a left-handed cell is mirrored.
+  /// Adds a cell with corners in the order of HexMesh. A left-handed cell is mirrored.
   void add_cell(std::array<int, 8> corners);
   HexMesh take() { return std::move(mesh_); }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/mesh/number_text.h"
+#include "sim/core/number_text.h"
 
 namespace griffith {
 namespace {

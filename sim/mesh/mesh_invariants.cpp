@@ -10,7 +10,7 @@ constexpr std::size_t kMaxFindings = 20;
 
 class Findings {
  public:
-  /// Notes "`what` `index` `problem`" unless it holds or the list is full.
+  /// Adds "`what` `index` `problem`" unless `holds` or the list is full.
   void require(bool holds, const char* what, int index, const char* problem) {
     if (!holds && list.size() < kMaxFindings)
       list.push_back(std::string(what) + " " + std::to_string(index) + " " + problem);
@@ -30,13 +30,13 @@ void check_tets(const TetMesh& mesh, Findings& findings) {
       findings.require(node.valid() && node.index() < mesh.node_count(), "tet", tet,
                        "has a corner that does not exist");
     for (TetId other : mesh.neighbours[tet])
-      findings.require(other.index() < mesh.tet_count(), "tet", tet, "has a neighbour that does not exist");
+      findings.require(other.index() < mesh.tet_count(), "tet", tet, "has a neighbor that does not exist");
     if (findings.list.empty())
       findings.require(rest_volume(mesh, TetId(tet)) > 0, "tet", tet, "has no positive volume");
   }
 }
 
-/// The tets at each face, by the face's nodes: links must say the same.
+/// Checks the links against the tets at each face, found by the face's nodes.
 void check_links(const TetMesh& mesh, Findings& findings) {
   std::map<std::array<NodeId, 3>, std::vector<TetId>> tets_of_face;
   for (int tet = 0; tet < mesh.tet_count(); ++tet)
@@ -67,7 +67,7 @@ void check_stars(const TetMesh& mesh, Findings& findings) {
 }  // namespace
 
 std::vector<std::string> check_invariants(const TetMesh& mesh) {
-  if (mesh.neighbours.size() != mesh.tets.size()) return {"neighbours and tets differ in number"};
+  if (mesh.neighbours.size() != mesh.tets.size()) return {"neighbors and tets differ in number"};
   if (mesh.stars.size() != mesh.rest_positions.size()) return {"stars and nodes differ in number"};
   Findings findings;
   check_tets(mesh, findings);

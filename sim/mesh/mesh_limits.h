@@ -4,8 +4,7 @@
 
 namespace griffith {
 
-/// More tets than this in a scene, or in a mesh for one, are refused: a world takes about a kilobyte of memory for
-/// each.
+/// Largest number of tets in a scene, or in a mesh for one. A world takes about a kilobyte of memory for each.
 inline constexpr std::int64_t kMaxTets = 4'000'000;
 inline constexpr char kMaxTetsText[] = "4 million tetrahedra";
 

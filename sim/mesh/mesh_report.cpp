@@ -6,14 +6,14 @@
 #include <tuple>
 
 #include "sim/core/error.h"
+#include "sim/core/number_text.h"
 #include "sim/core/tet_edge_corners.h"
-#include "sim/mesh/number_text.h"
 #include "sim/mesh/topology.h"
 
 namespace griffith {
 namespace {
 
-constexpr double kFlatVolume = 1e-12;  ///< of the longest edge cubed
+constexpr double kFlatVolume = 1e-12;  ///< fraction of the longest edge cubed
 
 using Tet = std::array<int, 4>;
 
@@ -46,7 +46,7 @@ void check_corners(const TetSoup& soup, const std::string& name) {
   }
 }
 
-/// Moves the kept elements up and returns, per element, its new index or -1.
+/// Moves the kept elements forward. Returns the new index of each element, or -1.
 template <class T>
 std::vector<int> keep_only(std::vector<T>& elements, const std::vector<char>& keep) {
   std::vector<int> new_index(elements.size(), -1);
@@ -98,7 +98,7 @@ void check_volumes_and_orient(TetSoup& soup, const std::string& name, MeshReport
   for (std::size_t i = 0; i < soup.tets.size(); ++i) {
     const auto x = corner_positions(soup, soup.tets[i]);
     const double volume = signed_volume(x[0], x[1], x[2], x[3]);
-    // Not (a > b): an overflow to infinity or NaN is as unusable as no volume.
+    // Not (a > b): a volume that overflowed to infinity or NaN is as unusable as none.
     if (!(std::abs(volume) >= kFlatVolume * std::pow(longest_edge(x), 3) && volume != 0 && std::isfinite(volume))) {
       if (flat++ == 0) first_flat = static_cast<int>(i);
     } else if (volume < 0) {
@@ -109,7 +109,7 @@ void check_volumes_and_orient(TetSoup& soup, const std::string& name, MeshReport
   if (flat > 0)
     throw InputError(name,
                      "tet " + std::to_string(first_flat) + " (nodes " + list_nodes(soup.tets[first_flat]) +
-                         ") has no volume; " + std::to_string(flat) + " such in all",
+                         ") has no volume; " + std::to_string(flat) + " such in total",
                      "remove flat tetrahedra or mesh again");
 }
 
@@ -146,14 +146,14 @@ void check_faces(const TetSoup& soup, const std::string& name, MeshReport& repor
 int count_coincident_points(const std::vector<Vec3>& points) {
   std::vector<std::array<double, 3>> sorted_points;
   for (const Vec3& p : points)
-    sorted_points.push_back({p.x() + 0.0, p.y() + 0.0, p.z() + 0.0});  // +0.0: no negative zero
+    sorted_points.push_back({p.x() + 0.0, p.y() + 0.0, p.z() + 0.0});  // +0.0 removes negative zeros
   std::sort(sorted_points.begin(), sorted_points.end());
   int coincident = 0;
   for (std::size_t i = 1; i < sorted_points.size(); ++i) coincident += sorted_points[i] == sorted_points[i - 1];
   return coincident;
 }
 
-/// An edge at which more than two surface faces meet holds together parts that have no other contact there.
+/// Counts edges at which more than two surface faces meet. Such an edge joins parts that have no other contact there.
 int count_pinched_edges(const TetMesh& mesh) {
   std::vector<std::array<NodeId, 2>> edges;
   for (const auto& [tet, face] : surface_faces(mesh)) {
@@ -171,7 +171,7 @@ int count_pinched_edges(const TetMesh& mesh) {
   return pinched;
 }
 
-/// Gives each part of a node's star that shares no face there with the rest a node of its own.
+/// Gives each part of a node's star that shares no face there with the rest a separate node.
 void part_pinched_nodes(TetSoup& soup, const TetMesh& mesh, MeshReport& report) {
   for (int node = 0; node < mesh.node_count(); ++node) {
     const std::vector<std::vector<TetId>> parts = star_components(mesh, NodeId(node));
@@ -215,7 +215,7 @@ double tet_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 
 MeshReport prepare(TetSoup& soup, const std::string& name, TetMesh* mesh) {
   MeshReport report;
-  // Checks come before points are removed: messages number nodes as the file does.
+  // Checks come before points are removed, so that messages number nodes as the file does.
   check_corners(soup, name);
   check_volumes_and_orient(soup, name, report);
   remove_duplicate_tets(soup, report);
@@ -241,7 +241,7 @@ std::vector<std::string> findings(const MeshReport& report) {
   add(report.removed_tets, " tets repeated an earlier one; removed");
   add(report.removed_nodes, " nodes belonged to no tet; removed");
   add(report.coincident_nodes, " nodes lie on another node: a slit, or parts that are not joined");
-  add(report.overlapping_faces, " faces have both tets on the same side: matter overlaps");
+  add(report.overlapping_faces, " faces have both tets on the same side: material overlaps");
   add(report.pinched_nodes,
       " nodes joined parts that share no face there; parted, the first at " + place_text(report.first_pinched));
   add(report.pinched_edges, " edges join parts that share no face there");

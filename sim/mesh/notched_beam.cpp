@@ -7,7 +7,7 @@
 namespace griffith {
 namespace {
 
-/// Moves the rows of nodes so that row `tip_row` of `rows` lies at the notch's tip.
+/// Moves the rows of nodes so that row `tip_row` of `rows` lies at the tip of the notch.
 void place_rows(HexMesh& beam, double height, double notch_depth, int tip_row, int rows, int nodes_per_row) {
   for (std::size_t i = 0; i < beam.points.size(); ++i) {
     const int row = static_cast<int>(i) / nodes_per_row % (rows + 1);
@@ -17,7 +17,7 @@ void place_rows(HexMesh& beam, double height, double notch_depth, int tip_row, i
   }
 }
 
-/// Gives the cells on the slit's far side nodes of their own on its face, below the tip.
+/// Gives the cells on the far side of the slit separate nodes on its face, below the tip.
 void open_slit(HexMesh& beam, int middle_column, int tip_row, int rows, int nodes_per_row) {
   std::vector<int> copies(beam.points.size(), -1);
   const int originals = static_cast<int>(beam.points.size());

@@ -6,7 +6,7 @@
 namespace griffith {
 namespace {
 
-/// Passes over a heading: a first line that does not start with a number.
+/// Skips a heading: a first line that does not start with a number.
 void skip_heading(FileCursor& cursor) {
   if (cursor.at_end()) return;
   const std::size_t start = cursor.offset();
@@ -26,7 +26,7 @@ void read_rows(const std::filesystem::path& path, ReadRow read_row) {
     const std::size_t start = cursor.offset();
     const std::size_t line_end = cursor.text().find('\n', start);
     read_row(cursor);
-    if (cursor.offset() > line_end) cursor.fail("a row with too few numbers ends before this line", "one row a line");
+    if (cursor.offset() > line_end) cursor.fail("a row with too few numbers ends before this line", "one row per line");
     if (!cursor.at_end() && cursor.offset() < line_end)
       cursor.fail_expecting("the end of the row", cursor.rest_of_line());
   }

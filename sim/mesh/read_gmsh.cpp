@@ -8,7 +8,7 @@
 namespace griffith {
 namespace {
 
-/// A type of elements (Gmsh reference manual, "MSH file format"; GmshDefines.h); all begin with their corners.
+/// Type of elements (Gmsh reference manual, "MSH file format"; GmshDefines.h). All begin with their corners.
 struct GmshType {
   int type;
   CellShape shape;
@@ -64,7 +64,7 @@ constexpr GmshType kGmshTypes[] = {{1, CellShape::line, 2},
                                    {119, CellShape::pyramid, 55},
                                    {120, CellShape::pyramid, 91}};
 
-/// Returns null for a type that is not known here.
+/// Returns null for an unknown type.
 const GmshType* gmsh_type(int type) {
   const auto* found = std::ranges::find(kGmshTypes, type, &GmshType::type);
   return found == std::end(kGmshTypes) ? nullptr : found;
@@ -117,7 +117,7 @@ class GmshReader {
     if (binary_ == Encoding::text) cursor_.fail_expecting("the number 1 in binary", "something else");
   }
 
-  /// Binary numbers, if the file has such, start on the line after the section's name.
+  /// Binary numbers start on the line after the section's name.
   template <class ReadBody>
   void read_section(ReadBody read_body) {
     cursor_.rest_of_line();
@@ -138,7 +138,7 @@ class GmshReader {
     file_.soup.points.push_back(point);
   }
 
-  /// Version 2 writes the counts as text in binary files, too.
+  /// Version 2 writes counts as text in binary files too.
   std::int64_t read_count_2() {
     const std::int64_t count = big();
     if (is_binary()) cursor_.rest_of_line();
@@ -200,7 +200,7 @@ class GmshReader {
     file_.add(type.shape, cell, type.nodes);
   }
 
-  /// Elements come in blocks with a common head in binary files; in text files each has its head after its number.
+  /// Elements come in blocks with a common head in binary files. In text files each has its head after its number.
   void read_elements_2() {
     const std::int64_t count = read_count_2();
     cursor_.require_room(count, 2, 4, "elements");
@@ -236,7 +236,7 @@ class GmshReader {
   FileCursor cursor_;
   MeshFile file_;
   int version_ = 2;
-  Encoding binary_ = Encoding::text;  ///< of the sections' numbers; text in a text file
+  Encoding binary_ = Encoding::text;  ///< encoding of numbers in sections; text in a text file
   std::unordered_map<std::int64_t, int> node_of_tag_;
 };
 

@@ -19,7 +19,7 @@ void read_vertices(FileCursor& cursor, TetSoup& soup) {
   }
 }
 
-/// Passes over the numbers up to the next keyword; returns how many there are.
+/// Skips the numbers up to the next keyword. Returns their count.
 std::int64_t skip_numbers(FileCursor& cursor) {
   std::int64_t count = 0;
   for (double ignored = 0; !cursor.at_end(); ++count) {
@@ -31,7 +31,7 @@ std::int64_t skip_numbers(FileCursor& cursor) {
   return count;
 }
 
-/// Nodes of each of the cells that follow: as many as their numbers, less the reference, are shared by.
+/// Returns the number of nodes of each of the following cells: their numbers, less the reference, divided by the cells.
 std::int64_t nodes_each(FileCursor& cursor, std::int64_t cells, int corners) {
   const std::size_t start = cursor.offset();
   const std::int64_t numbers = skip_numbers(cursor);
@@ -62,7 +62,8 @@ void read_cells(FileCursor& cursor, CellShape shape, MeshFile& file) {
   }
 }
 
-/// The cells that a keyword begins, "Hexahedra" or, of higher order, "HexahedraQ2"; nothing for other keywords.
+/// Returns the shape of the cells that a keyword begins, "Hexahedra" or, of higher order, "HexahedraQ2"; none for other
+/// keywords.
 std::optional<CellShape> cells_of(std::string_view keyword) {
   using enum CellShape;
   constexpr std::pair<std::string_view, CellShape> kCells[] = {

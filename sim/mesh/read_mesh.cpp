@@ -28,7 +28,7 @@ struct MeshFormat {
 constexpr MeshFormat kFormats[] = {{".node", read_tetgen}, {".ele", read_tetgen}, {".msh", read_gmsh},
                                    {".mesh", read_medit},  {".vtk", read_vtk},    {".vtu", read_vtu}};
 
-/// Null for what is no mesh.
+/// Returns null for a path that is not a mesh.
 MeshReader reader_of(const std::filesystem::path& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) return read_csv_pair;
@@ -45,7 +45,7 @@ TetSoup read_mesh(const std::filesystem::path& path, CellReport* report) {
   if (read == nullptr && !std::filesystem::exists(path))
     throw InputError(path.string(), "no such file or folder", "check the path");
   if (read == nullptr)
-    throw InputError(path.string(), "is no mesh format known here",
+    throw InputError(path.string(), "is not a known mesh format",
                      ".node, .ele, .msh, .mesh, .vtk, .vtu or a folder with verts.csv and tets.csv");
   MeshFile file = read(path);
   split_cells(file, path.string());

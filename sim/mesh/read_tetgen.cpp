@@ -9,7 +9,7 @@ int read_points(FileCursor& cursor, TetSoup& soup) {
   const int count = cursor.number<int>("the number of points");
   const int dimension = cursor.number<int>("the dimension");
   if (dimension != 3) cursor.fail("dimension " + std::to_string(dimension), "expected 3");
-  cursor.rest_of_line();  // numbers of attributes and markers: each point has a line of its own
+  cursor.rest_of_line();  // numbers of attributes and markers: each point has its own line
   cursor.require_room(count, 4, 0, "points");
   int first = 0;
   for (int i = 0; i < count; ++i) {

@@ -36,7 +36,7 @@ class VtkReader {
     if (set != "UNSTRUCTURED_GRID") cursor_.fail_expecting("UNSTRUCTURED_GRID", set);
   }
 
-  /// False at the section where the grid ends and the data on it begin.
+  /// Returns false at the section where the grid ends and its data begin.
   bool read_section(const std::string& section) {
     if (section == "CELL_DATA" || section == "POINT_DATA") return false;
     if (section == "POINTS")
@@ -86,7 +86,7 @@ class VtkReader {
     for (std::int64_t i = 0; i < count; ++i) file_.soup.points[i] = Vec3(&values[3 * i]);
   }
 
-  /// Up to version 4 each cell is the number of its points and these.
+  /// Reads cells up to version 4: each is the number of its points, then these.
   void read_cells() {
     const auto cells = cursor_.number<std::int64_t>("the number of cells");
     const auto size = cursor_.number<std::int64_t>("the number of integers");
@@ -106,7 +106,7 @@ class VtkReader {
       cursor_.fail(std::to_string(offsets_.size()) + " cells", "CELLS announces " + std::to_string(cells));
   }
 
-  /// From version 5 on, a list of cell ends, beginning with 0, and one of points.
+  /// Reads cells from version 5 on: a list of cell ends, beginning with 0, and a list of points.
   void read_cells_5() {
     const auto offset_count = cursor_.number<std::int64_t>("the number of offsets");
     const auto size = cursor_.number<std::int64_t>("the length of the connectivity");
@@ -135,7 +135,7 @@ class VtkReader {
     }
   }
 
-  /// Ends with an empty line.
+  /// Skips metadata, which end with an empty line.
   void skip_metadata() {
     cursor_.rest_of_line();
     while (cursor_.offset() < cursor_.text().size() && !cursor_.rest_of_line().empty()) continue;

@@ -9,11 +9,11 @@
 namespace griffith {
 namespace {
 
-/// A DataArray: where its values are, not yet decoded.
+/// DataArray with the place of its values, not yet decoded.
 struct DataArray {
   std::string type, format;
-  std::size_t begin = 0, end = 0;  ///< of its text in the file
-  std::int64_t offset = 0;         ///< into the appended data
+  std::size_t begin = 0, end = 0;  ///< range of its text in the file
+  std::int64_t offset = 0;         ///< offset in the appended data
 };
 
 struct Piece {
@@ -28,8 +28,8 @@ int base64_digit(char c) {
   return c == '+' ? 62 : c == '/' ? 63 : -1;
 }
 
-/// Decodes up to `wanted` bytes, passing over blanks. Padding may stand in the middle: writers differ in whether the
-/// length in front is encoded together with the data.
+/// Decodes up to `wanted` bytes, skipping blanks. Padding may be in the middle, since writers differ in whether they
+/// encode the leading length together with the data.
 std::string decode_base64(std::string_view text, std::size_t wanted) {
   std::string bytes;
   unsigned bits = 0;
@@ -85,7 +85,7 @@ class VtuReader {
     header_bytes_ = tag.attribute("header_type") == "UInt64" ? 8 : 4;
   }
 
-  /// Not more than the file has bytes.
+  /// Returns an attribute that cannot exceed the file's number of bytes.
   std::int64_t count_attribute(const XmlTag& tag, const char* key) {
     std::int64_t count = 0;
     const bool is_count = parse_number(tag.attribute(key), count) && count >= 0;
@@ -115,7 +115,7 @@ class VtuReader {
     if (section == "Cells" && name == "types") piece.types = array;
   }
 
-  /// Moves there, too: values are no tags.
+  /// Moves the cursor there too, since values are not tags.
   std::size_t find_array_end(const XmlTag& tag) {
     const std::size_t end = cursor_.text().find("</DataArray", tag.end);
     if (end == std::string_view::npos) cursor_.fail("a <DataArray> has no end", "expected </DataArray>");
@@ -177,7 +177,7 @@ class VtuReader {
     return result;
   }
 
-  /// The bytes of a binary array, without the length in front of them.
+  /// Returns the bytes of a binary array without the leading length.
   std::string raw_bytes(const DataArray& array) {
     const bool appended = array.format == "appended";
     if (!appended && array.format != "binary") cursor_.fail("format " + array.format, "ascii, binary or appended");
@@ -245,7 +245,7 @@ class VtuReader {
   bool found_head_ = false, big_endian_ = false, appended_is_raw_ = false;
   std::size_t header_bytes_ = 4;
   std::uint64_t decoded_ = 0;       ///< bytes of all arrays so far
-  std::size_t appended_begin_ = 0;  ///< behind the underscore; 0: there are no appended data
+  std::size_t appended_begin_ = 0;  ///< offset after the underscore; 0: no appended data
 };
 
 }  // namespace

@@ -11,19 +11,20 @@
 namespace griffith {
 namespace {
 
-// The core's corners lie at this part of the radius, and its sides bulge half-way to a circle: cells of even shape.
+// The corners of the core lie at this fraction of the radius, and its sides bulge halfway to a circle, for cells of
+// even shape.
 constexpr double kCoreRadius = 0.6;
 constexpr double kCoreBulge = 0.5;
 
-/// The point of the unit circle (z = 0) or sphere over the point `q` ≠ 0 of the square or cube: equal steps on a side
-/// give equal angles (Ronchi, Iacono and Paolucci 1996, the equiangular cubed sphere).
+/// Returns the point of the unit circle (z = 0) or sphere over the point `q` ≠ 0 of the square or cube. Equal steps on
+/// a side give equal angles (Ronchi, Iacono and Paolucci 1996, the equiangular cubed sphere).
 Vec3 radial_direction(const Vec3& q) {
   const Vec3 angles = std::numbers::pi / 4 * q / q.cwiseAbs().maxCoeff();
   return angles.array().tan().matrix().normalized();
 }
 
-/// The image in a unit ball of dimension `dimensions` of core point q (in [−1, 1]³), moved outwards by `outwards` in
-/// 0..1.
+/// Returns the image in a unit ball of dimension `dimensions` of core point q (in [−1, 1]³), moved outward by
+/// `outwards` in 0..1.
 Vec3 ball_point(const Vec3& q, double outwards, int dimensions) {
   if (q.isZero()) return q;
   const Vec3 direction = radial_direction(q);
@@ -40,18 +41,18 @@ BallCells ball_cells(double radius, double element_size, int dimensions, const c
   const BallCells cells = {std::max(2, cell_count(1.2 * radius, element_size, what)),
                            cell_count(0.45 * radius, element_size, what)};
   const double total = std::pow(cells.core, dimensions - 1) * (cells.core + 2.0 * dimensions * cells.shells);
-  if (total > kMaxCells) throw InputError(what, "the element size asks for too many cells", "make the elements larger");
+  if (total > kMaxCells) throw InputError(what, "the element size requires too many cells", "make the elements larger");
   return cells;
 }
 
-/// A node of a planar mesh: lattice point and layer, the numbers a HexMeshBuilder knows it by.
+/// Node of a planar mesh: lattice point and layer, its key in a HexMeshBuilder.
 struct PlanarNode {
   int i, j, layer;
 };
-/// Corner c lies at the local coordinates (c & 1, c >> 1).
+/// Cell whose corner c has the local coordinates (c & 1, c >> 1).
 using PlanarCell = std::array<PlanarNode, 4>;
 
-/// The lattice points round a rectangle of nx × ny cells, in turn.
+/// Returns the lattice points around a rectangle of nx × ny cells, in order.
 std::vector<PlanarNode> perimeter(int nx, int ny) {
   std::vector<PlanarNode> loop;
   for (int i = 0; i < nx; ++i) loop.push_back({i, 0, 0});
@@ -67,7 +68,7 @@ void add_lattice(std::vector<PlanarCell>& cells, int first_i, int last_i, int fi
       cells.push_back({{{i, j, 0}, {i + 1, j, 0}, {i, j + 1, 0}, {i + 1, j + 1, 0}}});
 }
 
-/// `layers` rings of cells on a closed loop.
+/// Adds `layers` rings of cells on a closed loop.
 void add_rings(std::vector<PlanarCell>& cells, const std::vector<PlanarNode>& loop, int layers) {
   for (std::size_t s = 0; s < loop.size(); ++s) {
     const PlanarNode a = loop[s], b = loop[(s + 1) % loop.size()];
@@ -80,7 +81,7 @@ void add_rings(std::vector<PlanarCell>& cells, const std::vector<PlanarNode>& lo
 HexMesh sweep(const std::vector<PlanarCell>& cells, const std::function<Vec2(const PlanarNode&)>& position,
               double length, int levels) {
   if (double(cells.size()) * levels > kMaxCells)
-    throw InputError("swept shape", "the element size asks for too many cells", "make the elements larger");
+    throw InputError("swept shape", "the element size requires too many cells", "make the elements larger");
   HexMeshBuilder builder;
   for (int level = 0; level < levels; ++level)
     for (const PlanarCell& cell : cells) {
@@ -97,7 +98,7 @@ HexMesh sweep(const std::vector<PlanarCell>& cells, const std::function<Vec2(con
   return builder.take();
 }
 
-/// Adds the cells over one face of the core: `corner(a, b)` is the core's lattice point there.
+/// Adds the cells over one face of the core. `corner(a, b)`: lattice point of the core.
 void add_shells(HexMeshBuilder& builder, const BallCells& cells, double radius,
                 const std::function<std::array<int, 3>(int a, int b)>& corner) {
   for (int layer = 0; layer < cells.shells; ++layer)
@@ -127,14 +128,14 @@ void add_core(HexMeshBuilder& builder, int core, double radius) {
   }
 }
 
-/// A plate with a hole: rings of cells from the hole to the middle part's edge, lattices beyond it at two ends.
+/// Plate with a hole: rings of cells from the hole to the edge of the middle part, lattices beyond it at two ends.
 struct PlateLayout {
   Vec2 middle;                      ///< edge lengths of the middle part, in rings
-  Vec2 beyond;                      ///< length of a lattice at either end, along x and y
-  std::array<int, 2> cells;         ///< on the sides of the middle part
-  std::array<int, 2> cells_beyond;  ///< of a lattice, along x and y; 0: there is none
+  Vec2 beyond;                      ///< length of a lattice at either end, along x and y [m]
+  std::array<int, 2> cells;         ///< numbers of cells on the sides of the middle part
+  std::array<int, 2> cells_beyond;  ///< numbers of cells of a lattice, along x and y; 0: no lattice
   double hole_radius;
-  double growth;  ///< logarithm of how many times the radius grows from the hole to the edge
+  double growth;  ///< logarithm of the ratio of the radii at the edge and the hole
   int rings;
 };
 
@@ -151,20 +152,20 @@ PlateLayout lay_out_plate(const Vec2& size, double hole_radius, double element_s
                     .growth = std::log(0.5 * side / hole_radius),
                     .rings = 1};
   for (int axis : {0, 1}) {
-    // Rings reach to the edge where less than half a cell is left beyond the middle square.
+    // Rings reach to the edge if less than half a cell is left beyond the middle square.
     if (plate.beyond[axis] >= element_size / 2) {
       plate.cells_beyond[axis] = cell_count(plate.beyond[axis], element_size, "plate");
       plate.middle[axis] = side;
     }
     plate.cells[axis] = cell_count(plate.middle[axis], element_size, "plate");
   }
-  // As many rings as make cells about square when they grow with their distance from the hole.
+  // Number of rings that makes cells about square when they grow with their distance from the hole.
   const double rings = 2 / std::numbers::pi * std::max(plate.cells[0], plate.cells[1]) * plate.growth;
   plate.rings = static_cast<int>(std::clamp(std::round(rings), 1.0, double(kMaxCells)));
   return plate;
 }
 
-/// Layer 0 is the middle part's edge and what lies beyond it, layer `rings` the hole's wall.
+/// Layer 0 is the edge of the middle part and all beyond it, layer `rings` the wall of the hole.
 Vec2 plate_point(const PlateLayout& plate, const PlanarNode& node) {
   const std::array<int, 2> lattice = {node.i, node.j};
   Vec2 outer, q;
@@ -214,7 +215,7 @@ TetSoup make_plate_with_hole(const Vec3& size, double hole_radius, const Vec2& e
   const auto [nx, ny] = plate.cells;
   const auto [beyond_x, beyond_y] = plate.cells_beyond;
   if (double(plate.rings) * (nx + ny) * 2 * levels > kMaxCells)
-    throw InputError("plate with hole", "the element size asks for too many cells", "make the elements larger");
+    throw InputError("plate with hole", "the element size requires too many cells", "make the elements larger");
   std::vector<PlanarCell> cells;
   add_rings(cells, perimeter(nx, ny), plate.rings);
   add_lattice(cells, -beyond_x, 0, 0, ny);

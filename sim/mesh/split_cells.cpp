@@ -13,7 +13,7 @@ using Triangle = std::array<int, 3>;
 using Tet = std::array<int, 4>;
 using FaceLoop = std::vector<int>;
 
-/// Faces by their corners, counter-clockwise seen from outside.
+/// Faces by their corners, counterclockwise seen from outside.
 std::span<const std::vector<int>> face_table(CellShape shape) {
   static const std::vector<std::vector<int>> kPyramid = {{0, 3, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
   static const std::vector<std::vector<int>> kPrism = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}};
@@ -22,8 +22,7 @@ std::span<const std::vector<int>> face_table(CellShape shape) {
   return shape == CellShape::pyramid ? kPyramid : shape == CellShape::prism ? kPrism : kHexahedron;
 }
 
-/// The faces of a cell by its points. Edges that have collapsed into a point are left out, and faces that have become
-/// edges.
+/// Returns the faces of a cell by its points, without collapsed edges and faces.
 std::vector<FaceLoop> faces_of(const VolumeCell& cell) {
   std::vector<FaceLoop> faces;
   for (const std::vector<int>& corners : face_table(cell.shape)) {
@@ -41,8 +40,8 @@ Triangle sorted(Triangle triangle) {
   return triangle;
 }
 
-/// The triangles on faces of cells that something else in the file has as a face: tets, or triangular faces of cells.
-/// They decide along which diagonal a quadrilateral is cut.
+/// Triangles on faces of cells that other items of the file have as faces: tets, or triangular faces of cells. They
+/// determine the diagonal of a quadrilateral.
 class GivenTriangles {
  public:
   explicit GivenTriangles(const MeshFile& file) {
@@ -73,11 +72,11 @@ class GivenTriangles {
     if (found != wanted_.end() && *found == sorted(triangle)) given_[found - wanted_.begin()] = 1;
   }
 
-  std::vector<Triangle> wanted_;  ///< all halves of quadrilaterals, ascending
+  std::vector<Triangle> wanted_;  ///< halves of all quadrilaterals, ascending
   std::vector<char> given_;
 };
 
-/// Both cells at a quadrilateral cut it alike: nothing but its points and the file's triangles decides.
+/// Cuts a face the same way in both cells: only its points and the file's triangles matter.
 void cut_face(FaceLoop face, const GivenTriangles& given, std::vector<Triangle>& triangles) {
   if (face.size() == 3) return triangles.push_back({face[0], face[1], face[2]});
   std::ranges::rotate(face, std::ranges::min_element(face));
@@ -102,7 +101,7 @@ double quality_of(const std::vector<Vec3>& points, const Tet& tet) {
   return tet_quality(points[tet[0]], points[tet[1]], points[tet[2]], points[tet[3]]);
 }
 
-/// The least quality of a fan's tets, whichever way round the cell is numbered: not above 0 where tets overlap.
+/// Returns the least quality of the tets of a fan for either numbering of the cell: not above 0 if tets overlap.
 double worst_quality(const std::vector<Vec3>& points, const std::vector<Tet>& tets) {
   double least = 1, most = -1;
   for (const Tet& tet : tets) {
@@ -117,7 +116,7 @@ class CellSplitter {
  public:
   explicit CellSplitter(TetSoup& soup) : soup_(soup) {}
 
-  /// False where the cell overlaps itself.
+  /// Returns false if the cell overlaps itself.
   bool split(const std::vector<Triangle>& surface) {
     std::vector<int> corners;
     for (const Triangle& triangle : surface) corners.insert(corners.end(), triangle.begin(), triangle.end());
@@ -135,7 +134,7 @@ class CellSplitter {
   }
 
  private:
-  /// Takes the fan from there if its quality is above `least`; false if not.
+  /// Takes the fan around `apex` if its quality is above `least`. Returns false if not.
   bool try_apex(const std::vector<Triangle>& surface, int apex, double least) {
     std::vector<Tet> tets = fan(surface, apex);
     const double quality = worst_quality(soup_.points, tets);
@@ -145,7 +144,7 @@ class CellSplitter {
     return true;
   }
 
-  /// An added node has to be worth it: cells that are thin themselves stay without.
+  /// An added node must improve the quality, so thin cells stay without.
   void try_middle(const std::vector<Triangle>& surface, const std::vector<int>& corners) {
     constexpr double kGain = 2;
     Vec3 sum = Vec3::Zero();
@@ -185,8 +184,8 @@ void split_cells(MeshFile& file, const std::string& name) {
   if (folded > 0)
     throw InputError(name,
                      "the cell of nodes " + node_list(*first_folded) + " overlaps itself or has no volume; " +
-                         std::to_string(folded) + " such in all",
-                     "mesh again, or into tetrahedra");
+                         std::to_string(folded) + " such in total",
+                     "generate the mesh again, or as tetrahedra");
   file.report.tets_of_split = static_cast<std::int64_t>(file.soup.tets.size() - before);
   file.cells.clear();
 }

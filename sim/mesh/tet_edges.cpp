@@ -17,7 +17,7 @@ Ends ends_of(const TetMesh& mesh, TetId tet, int edge) {
   return {a, b};
 }
 
-/// Whether some tet has both nodes.
+/// True if some tet has both nodes.
 bool is_edge(const TetMesh& mesh, const Ends& ends) {
   return std::ranges::any_of(mesh.stars[ends[0]], [&](TetId tet) { return local_corner(mesh, tet, ends[1]) >= 0; });
 }

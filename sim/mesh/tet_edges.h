@@ -12,29 +12,30 @@ namespace griffith {
 
 using EdgeId = Id<struct EdgeTag>;
 
-/// The edges of quadratic tets, which have displacements of their own (quadratic_element.h). One edge joins two nodes:
-/// cracks part it with them. None is ever removed.
+/// Edges of quadratic tets, which have their own displacements (quadratic_element.h). An edge joins two nodes, and
+/// cracks separate it with them. Edges are never removed.
 struct TetEdges {
   std::vector<std::array<NodeId, 2>> ends;    ///< per edge: its nodes, ascending
-  std::vector<std::array<EdgeId, 6>> of_tet;  ///< per tet, as kTetEdges; invalid ids in linear ones; empty: all are
+  std::vector<std::array<EdgeId, 6>> of_tet;  ///< per tet, as kTetEdges; invalid for linear ones; empty: all linear
 
   int edge_count() const { return static_cast<int>(ends.size()); }
   bool is_quadratic(TetId tet) const { return !of_tet.empty() && of_tet[tet][0].valid(); }
 };
 
-/// Numbers the edges of `tets`, which have none yet. O(n log n), the same for the same mesh.
+/// Numbers the edges of `tets`, which have none yet. O(n log n), deterministic.
 void add_edges(const TetMesh& mesh, std::span<const TetId> tets, TetEdges& edges);
 
-/// The edges of `tets`, ascending, each once; none of linear tets.
+/// Returns the edges of `tets`, ascending, without duplicates; none of linear tets.
 std::vector<EdgeId> edges_of(const TetEdges& edges, std::span<const TetId> tets);
 
-/// An edge that was parted: `copy` is new and takes over some tets of `original`.
+/// Separated edge: `copy` is new and replaces `original` in some tets.
 struct EdgeCopy {
   EdgeId original, copy;
 };
 
-/// Parts edges after nodes were parted: `copied` are the new ones, whose tets still have the edges of before. An edge
-/// whose tets have all got a copied node goes on between its new ends; where some have, they get a copy of it.
+/// Separates edges after nodes were separated. `copied`: the new nodes, whose tets still have the old edges. If all
+/// tets of an edge have a copied node, the edge continues between its new ends. If only some have, these get a copy of
+/// it.
 std::vector<EdgeCopy> part_edges(const TetMesh& mesh, std::span<const NodeId> copied, TetEdges& edges);
 
 }  // namespace griffith

@@ -10,7 +10,7 @@
 namespace griffith {
 namespace {
 
-/// A face of a tet with its nodes ascending, so that the two sides of an inner face compare equal.
+/// Face of a tet with its nodes ascending, so that the two sides of an inner face compare equal.
 struct FaceSide {
   std::array<NodeId, 3> key;
   TetId tet;
@@ -52,7 +52,7 @@ void add_stars(TetMesh& mesh) {
     for (NodeId node : mesh.tets[tet]) mesh.stars[node].push_back(TetId(tet));
 }
 
-/// Splits `tets` (ascending) into the parts that hold together through the links for which crosses(tet, face) holds.
+/// Splits `tets` (ascending) into parts connected through the links for which crosses(tet, face) holds.
 template <class Crosses>
 std::vector<std::vector<TetId>> components(const TetMesh& mesh, std::span<const TetId> tets, Crosses crosses) {
   std::vector<char> visited(tets.size(), 0);

@@ -5,7 +5,7 @@
 namespace griffith {
 namespace {
 
-/// Types of VTK's cells (vtkCellType.h); all begin with their corners.
+/// Types of VTK's cells (vtkCellType.h). All begin with their corners.
 struct VtkType {
   std::int64_t type;
   CellShape shape;
@@ -35,13 +35,13 @@ const VtkType* vtk_type(std::int64_t type) {
   return found == std::end(kVtkTypes) ? nullptr : found;
 }
 
-/// A voxel's corners are numbered along its axes, not around its faces.
+/// Returns the order of corners. Those of a voxel are numbered along its axes, not around its faces.
 std::array<std::int64_t, 8> corner_order(std::int64_t type) {
   if (type == kVoxel) return {0, 1, 3, 2, 4, 5, 7, 6};
   return {0, 1, 2, 3, 4, 5, 6, 7};
 }
 
-/// Adds a cell with a volume; returns what is wrong with it, or nothing.
+/// Adds a cell with a volume. Returns a problem, or an empty text.
 std::string add_cell(const VtkType& type, std::span<const std::int64_t> points, int first_point,
                      std::int64_t point_count, MeshFile& file) {
   const int count = corner_count(type.shape);
@@ -58,7 +58,7 @@ std::string add_cell(const VtkType& type, std::span<const std::int64_t> points, 
   return {};
 }
 
-/// Polyhedra, and what VTK may have besides.
+/// Returns a problem if there are polyhedra or other unsupported cells of VTK; else an empty text.
 std::string unknown_cells(const VtkCells& cells) {
   const auto is_unknown = [](std::int64_t type) { return type != kEmptyCell && vtk_type(type) == nullptr; };
   const auto first = std::ranges::find_if(cells.types, is_unknown);

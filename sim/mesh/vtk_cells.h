@@ -8,14 +8,14 @@
 
 namespace griffith {
 
-/// A list of VTK cells: cell i has the type types[i] and the points connectivity[offsets[i−1]] ...
+/// List of VTK cells: cell i has the type types[i] and the points connectivity[offsets[i−1]] ...
 /// connectivity[offsets[i]−1], where offsets[−1] is 0.
 struct VtkCells {
   std::span<const std::int64_t> types, offsets, connectivity;
 };
 
-/// Adds `cells` (second and higher order: their corners) to `file`. Points are numbered from `first_point`, of which
-/// there are `point_count`. Returns what is wrong, or nothing.
+/// Appends `cells` (of second and higher order: their corners) to `file`. Its `point_count` points are numbered from
+/// `first_point`. Returns a problem, or an empty text.
 std::string add_vtk_cells(const VtkCells& cells, int first_point, std::int64_t point_count, MeshFile& file);
 
 }  // namespace griffith

@@ -1,5 +1,5 @@
+#include "sim/core/number_text.h"
 #include "sim/core/replace_file.h"
-#include "sim/mesh/number_text.h"
 #include "sim/mesh/write_mesh.h"
 
 namespace griffith {

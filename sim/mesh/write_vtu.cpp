@@ -26,12 +26,12 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-/// The two parts of the file: the XML that describes arrays, and their bytes behind it.
+/// Parts of the file: XML that describes arrays, followed by their bytes.
 class VtuFile {
  public:
   void line(const std::string& text) { xml_ += text + "\n"; }
 
-  /// Describes an array of `components` numbers each and appends its bytes behind their length.
+  /// Describes an array of `components` numbers each and appends its length and bytes.
   template <class T>
   void add_array(const std::string& name, int components, std::span<const T> values) {
     const char* type = std::is_same_v<T, double> ? "Float64" : std::is_same_v<T, std::int32_t> ? "Int32" : "UInt8";
@@ -77,7 +77,7 @@ class VtuFile {
 void add_cells(VtuFile& file, std::span<const std::array<NodeId, 4>> tets,
                std::span<const std::array<std::int32_t, 6>> middles) {
   constexpr std::uint8_t kTetra = 10, kQuadraticTetra = 24;
-  constexpr std::array<int, 6> kOrder = {0, 3, 1, 2, 4, 5};  // of the edges, after the corners
+  constexpr std::array<int, 6> kOrder = {0, 3, 1, 2, 4, 5};  // order of the edges, after the corners
   std::vector<std::int32_t> connectivity, offsets;
   std::vector<std::uint8_t> types(tets.size(), kTetra);
   connectivity.reserve(4 * tets.size());

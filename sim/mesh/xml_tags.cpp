@@ -5,7 +5,7 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n";
 
-/// Reads key="value" pairs; `text` is what stands between a tag's name and its end.
+/// Reads key="value" pairs. `text`: the tag between its name and its end.
 void read_attributes(FileCursor& cursor, std::string_view text, XmlTag& tag) {
   while (true) {
     const std::size_t key_begin = text.find_first_not_of(kBlanks);
@@ -41,7 +41,7 @@ bool next_xml_tag(FileCursor& cursor, XmlTag& tag) {
     }
     const std::size_t length = rest.find('>');
     cursor.seek(begin);
-    cursor.bytes(1, "a tag");  // messages point here from now on
+    cursor.bytes(1, "a tag");  // place of later messages
     if (length == std::string_view::npos) cursor.fail("a tag has no end", "expected >");
     cursor.seek(begin + 1 + length + 1);
 

@@ -9,21 +9,21 @@
 
 namespace griffith {
 
-/// A start tag, an end tag or both in one (`<a/>`).
+/// Start tag, end tag or empty tag (`<a/>`).
 struct XmlTag {
   std::string name;
   std::vector<std::pair<std::string, std::string>> attributes;
   bool closes = false;    ///< </name>
   bool is_empty = false;  ///< <name/>
-  std::size_t begin = 0;  ///< offset of its <
-  std::size_t end = 0;    ///< offset behind its >
+  std::size_t begin = 0;  ///< offset of its `<`
+  std::size_t end = 0;    ///< offset after its `>`
 
-  /// An attribute's value, or `fallback`.
+  /// Returns an attribute's value, or `fallback`.
   std::string attribute(std::string_view key, std::string_view fallback = "") const;
 };
 
-/// Reads the next tag at or after the cursor, which moves behind it; passes over text, comments and declarations.
-/// Returns false when there is none. As much of XML as VTK writes: no entities, no CDATA.
+/// Reads the next tag at or after the cursor, which moves past it. Skips text, comments and declarations. Returns false
+/// if there is none. Supports the XML that VTK writes, without entities and CDATA.
 bool next_xml_tag(FileCursor& cursor, XmlTag& tag);
 
 }  // namespace griffith

@@ -10,7 +10,7 @@ namespace {
 
 using Index3 = BccLattice::Index3;
 
-/// The position of `index` in a block of `size`, x fastest.
+/// Returns the position of `index` in a block of `size`, x fastest.
 int flat(const Index3& index, const Index3& size) { return index[0] + size[0] * (index[1] + size[1] * index[2]); }
 
 Index3 unflat(int position, const Index3& size) {
@@ -24,7 +24,7 @@ Index3 plus_one(const Index3& size) { return {size[0] + 1, size[1] + 1, size[2] 
 BccLattice::BccLattice(const Eigen::AlignedBox3d& box, double cube_edge, const std::string& name) : edge_(cube_edge) {
   const Vec3 counts = (box.sizes() / cube_edge).array().ceil() + 2;
   if (!(counts.prod() <= kMaxCells))
-    throw InputError(name, "would take more than 10 million cells", "give a larger element size");
+    throw InputError(name, "would take more than 10 million cells", "use a larger element size");
   for (int axis = 0; axis < 3; ++axis) cells_[axis] = static_cast<int>(counts[axis]);
   origin_ = box.center() - cube_edge / 2 * counts;
   middle_count_ = cells_[0] * cells_[1] * cells_[2];
@@ -74,7 +74,7 @@ std::array<std::array<int, 4>, 4> BccLattice::tets_at(const Index3& cell, int ax
   const Index3 middle = {2 * cell[0] + 1, 2 * cell[1] + 1, 2 * cell[2] + 1};
   Index3 next = middle;
   next[axis] += 2;
-  // Round the face, from above: its corners lie one half edge along the axis and one each way across it.
+  // Corners around the face, from above: one half edge along the axis and one each way across it.
   constexpr std::array<std::array<int, 2>, 4> kRound = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
   std::array<int, 4> corners;
   for (int i = 0; i < 4; ++i) {

@@ -7,7 +7,7 @@ namespace {
 
 using Index3 = BccLattice::Index3;
 
-/// Calls f for all cells from `low` to before `high`; whether it was true for all.
+/// Calls f for all cells from `low` to before `high`. Returns true if all calls do.
 template <class F>
 bool all_cells(const Index3& low, const Index3& high, const F& f) {
   for (int z = low[2]; z < high[2]; ++z)
@@ -22,12 +22,12 @@ Index3 plus(Index3 a, int b) {
   return a;
 }
 
-/// The middle of a cube, in half edges; `width` in lattice cubes.
+/// Returns the center of a cube in half edges; `width` in lattice cubes.
 Index3 middle_of(const Index3& origin, int width) {
   return {2 * origin[0] + width, 2 * origin[1] + width, 2 * origin[2] + width};
 }
 
-/// The lattice cube's share in a larger, aligned one.
+/// Returns the first lattice cube of the aligned larger cube that contains `cell`.
 Index3 aligned(Index3 cell, int width) {
   for (int& component : cell) component -= component % width;
   return cell;
@@ -70,7 +70,7 @@ void CubeTree::find_deep_cubes(const std::function<bool(int vertex)>& is_deep) {
   });
 }
 
-/// Whether the cubes in and round a block have at least that level.
+/// True if the cubes in and around a block have at least that level.
 bool CubeTree::surroundings_reach(const Index3& origin, int width, int level) const {
   return all_cells(plus(origin, -1), plus(origin, width + 1),
                    [&](const Index3& cell) { return contains(cell) && levels_[index(cell)] >= level; });
@@ -102,7 +102,7 @@ void CubeTree::visit_tets(const Visit& visit) const {
   });
 }
 
-/// The tets at a face of a cube, unless they belong to the cube beyond it: one of the same level before it, or a
+/// Visits the tets at a face of a cube, unless they belong to the cube beyond it: one of the same level before it, or a
 /// smaller one.
 void CubeTree::visit_face(const Index3& origin, int axis, int side, const Visit& visit) const {
   const int own = level(origin), width = 1 << own;
@@ -128,8 +128,8 @@ void CubeTree::visit_face(const Index3& origin, int axis, int side, const Visit&
     for (const int apex : {a, b}) visit({apex, border[0], border[i], border[i + 1]});
 }
 
-/// The vertices round a face, the middles of its edges among them where smaller cubes touch these. The first is such a
-/// middle, if there is one: from it no three vertices lie on one line.
+/// Returns the vertices around a face, including the midpoints of its edges where smaller cubes touch. The first one is
+/// a midpoint if there is any, so that no three vertices from it are collinear.
 std::vector<int> CubeTree::outline(const Index3& middle, int axis, int level) const {
   constexpr std::array<std::array<int, 2>, 8> kRound = {
       {{-1, -1}, {0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}}};
@@ -149,7 +149,7 @@ std::vector<int> CubeTree::outline(const Index3& middle, int axis, int level) co
   return border;
 }
 
-/// Whether a cube of less than that level has a corner at the middle of an edge.
+/// True if a cube of a lower level has a corner at the midpoint of an edge.
 bool CubeTree::touches_smaller(const Index3& place, int level) const {
   if (level == 0) return false;
   const Index3 cell = {place[0] / 2, place[1] / 2, place[2] / 2};

@@ -21,7 +21,7 @@ double angle_at(const std::array<Vec3, 3>& corners, int corner) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// The corners (counted over all triangles) at each point.
+/// Returns the corners (counted over all triangles) at each point.
 std::vector<std::vector<int>> corners_by_point(const TriangleSurface& surface) {
   std::vector<std::vector<int>> corners(surface.points.size());
   for (std::size_t i = 0; i < surface.triangles.size(); ++i)

@@ -16,8 +16,8 @@
 namespace griffith {
 namespace {
 
-/// Knows the surface itself and regular files in its folder or below: whoever made the surface may name any file for
-/// its buffers, and to open a pipe could wait for ever.
+/// Gives Assimp only the surface itself and regular files in or below its folder. A file from a stranger may name any
+/// path for its buffers, and opening a pipe could block forever.
 class FilesOfSurface : public Assimp::DefaultIOSystem {
  public:
   explicit FilesOfSurface(std::filesystem::path surface) : surface_(std::move(surface)) {}
@@ -32,7 +32,7 @@ class FilesOfSurface : public Assimp::DefaultIOSystem {
     if (!allowed) refused_ = file;
     return allowed ? Assimp::DefaultIOSystem::Open(file, mode) : nullptr;
   }
-  /// The last file that was there, but elsewhere; empty if there was none.
+  /// Returns the last existing file that was refused; empty if there was none.
   const std::string& refused() const { return refused_; }
 
  private:
@@ -40,18 +40,18 @@ class FilesOfSurface : public Assimp::DefaultIOSystem {
   std::string refused_;
 };
 
-/// Assimp catches std::bad_alloc as it does its own errors.
+/// Rethrows std::bad_alloc, which Assimp catches like its own errors.
 void rethrow_bad_alloc(const Assimp::Importer& importer) try {
   if (const std::exception_ptr error = importer.GetException()) std::rethrow_exception(error);
 } catch (const std::bad_alloc&) {
   throw;
 } catch (...) {
-  // The importer's error text tells it.
+  // The importer's error text reports it.
 }
 
 Vec3 vector_of(const aiVector3D& v) { return Vec3(v.x, v.y, v.z); }
 
-/// Where a mesh stands in its file.
+/// Transformation of a mesh in its file.
 struct Placement {
   aiMatrix4x4 points;
   aiMatrix3x3 normals;
@@ -65,7 +65,7 @@ struct Placement {
   }
 };
 
-/// Adds a triangle of vertices of `mesh`; corners without a normal or a place in the texture get zeros.
+/// Adds a triangle of vertices of `mesh`. Corners without a normal or texture coordinates get zeros.
 void add_triangle(const aiMesh& mesh, const Placement& placement, int first_point,
                   const std::array<unsigned, 3>& vertices, TriangleSurface& surface) {
   auto& triangle = surface.triangles.emplace_back();
@@ -79,7 +79,7 @@ void add_triangle(const aiMesh& mesh, const Placement& placement, int first_poin
   }
 }
 
-/// Adds the faces of `mesh`. (Assimp's own way of cutting polygons ends the program where they are degenerate.)
+/// Adds the faces of `mesh`. (Assimp's own triangulation ends the program for degenerate polygons.)
 void add_mesh(const aiMesh& mesh, const Placement& placement, TriangleSurface& surface) {
   const int first_point = static_cast<int>(surface.points.size());
   for (unsigned i = 0; i < mesh.mNumVertices; ++i)
@@ -93,7 +93,7 @@ void add_mesh(const aiMesh& mesh, const Placement& placement, TriangleSurface& s
   }
 }
 
-/// A node's meshes make an object.
+/// Adds one object for the meshes of a node, then those of its children.
 void add_objects(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent,
                  std::vector<SurfaceObject>& objects) {
   const aiMatrix4x4 transformation = parent * node.mTransformation;
@@ -132,16 +132,16 @@ std::vector<SurfaceObject> import_objects(const std::filesystem::path& path) {
   rethrow_bad_alloc(importer);
   if (scene == nullptr && !files->refused().empty())
     throw InputError(path.string(), "needs the file \"" + files->refused() + "\", which is outside its folder",
-                     "put it beside the surface: what a surface names is read from its folder alone");
+                     "put it beside the surface: files named by a surface are only read from its folder");
   if (scene == nullptr || scene->mRootNode == nullptr)
     throw InputError(path.string(), std::string("cannot be read: ") + importer.GetErrorString(),
-                     "check that the file's content is what its ending says");
+                     "check that the file's content matches its suffix");
   require_known_vertices(*scene, path);
   std::vector<SurfaceObject> objects;
   add_objects(*scene, *scene->mRootNode, aiMatrix4x4(), objects);
   std::string extension = path.extension().string();
   std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-  if (extension == ".stl")  // has normals of facets alone, which would hide that it is smooth
+  if (extension == ".stl")  // its normals are those of facets and would hide that the surface is smooth
     for (SurfaceObject& object : objects) object.surface.normals.clear();
   return objects;
 }

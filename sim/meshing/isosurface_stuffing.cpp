@@ -14,19 +14,20 @@
 namespace griffith {
 namespace {
 
-/// A vertex moves onto a cut nearer than this share of the edge: the safe choice for curved borders in their section 3.
+/// A vertex moves onto a cut nearer than this fraction of the edge: the safe choice for curved borders in their
+/// section 3.
 constexpr double kLongEdgeFraction = 0.24999, kShortEdgeFraction = 0.41189;
 
-/// Where the border crosses an edge of the lattice.
+/// Crossing of the border and an edge of the lattice.
 struct Cut {
   int inner = 0, outer = 0;  ///< vertices
-  double fraction = 0;       ///< of the edge, from `inner`
+  double fraction = 0;       ///< fraction of the edge, from `inner`
   Vec3 place = Vec3::Zero();
-  bool alive = true;  ///< until one of its vertices moves onto the border
-  int point = -1;     ///< in the soup
+  bool alive = true;  ///< false after one of its vertices moved onto the border
+  int point = -1;     ///< index in the soup
 };
 
-/// The lattice with what is known of the border.
+/// Lattice with its cuts by the border.
 class Stuffing {
  public:
   Stuffing(const ImplicitSolid& solid, const BccLattice& lattice, int levels, const Monitor& monitor)
@@ -66,17 +67,17 @@ class Stuffing {
   int levels_;
   const Monitor& monitor_;
   std::vector<std::int8_t> signs_;            ///< per vertex: 1 inside, 0 on the border, −1 outside
-  std::vector<Cut> cuts_;                     ///< by inner vertex
+  std::vector<Cut> cuts_;                     ///< cuts by inner vertex
   std::vector<int> first_cut_;                ///< per vertex: its first cut as the inner one; one more at the end
-  std::vector<std::vector<int>> outer_cuts_;  ///< per vertex: its cuts as the outer one
+  std::vector<std::vector<int>> outer_cuts_;  ///< per vertex: its cuts as outer vertex
   std::vector<int> points_;                   ///< per vertex: its point in the soup, -1 while it has none
-  std::vector<std::pair<int, Vec3>> moved_;   ///< vertices and where they went, ascending
+  std::vector<std::pair<int, Vec3>> moved_;   ///< vertices with their new positions, ascending
   TetSoup soup_;
 };
 
 void Stuffing::find_signs() {
   signs_.resize(lattice_.vertex_count());
-  std::atomic<bool> cancelled = false;  // read alone decides nothing but an early end
+  std::atomic<bool> cancelled = false;  // only decides about an early end
   parallel_for(lattice_.vertex_count(), 256, [&](int begin, int end) {
     if (cancelled || monitor_.is_cancelled()) {
       cancelled = true;
@@ -111,7 +112,7 @@ void Stuffing::find_cuts() {
   });
 }
 
-/// The cut that is nearest to a vertex in proportion to what it may be, if nearer than that.
+/// Returns the cut nearest to a vertex relative to its permitted distance, if it is closer than that.
 Cut* Stuffing::nearest_too_close(int vertex) {
   Cut* nearest = nullptr;
   double minimum = 1;
@@ -158,7 +159,7 @@ void Stuffing::fill_tet(const std::array<int, 4>& tet) {
   std::array<int, 4> inner, border, outer;
   int inner_count = 0, border_count = 0, outer_count = 0;
   for (const int vertex : tet) {
-    if (vertex < 0) return;  // beyond the last cubes, where nothing is inside
+    if (vertex < 0) return;  // beyond the last cubes, where everything is outside
     if (signs_[vertex] > 0) inner[inner_count++] = vertex;
     if (signs_[vertex] == 0) border[border_count++] = vertex;
     if (signs_[vertex] < 0) outer[outer_count++] = vertex;
@@ -178,10 +179,9 @@ void Stuffing::fill_tet(const std::array<int, 4>& tet) {
               diagonal_from_first(a, b, outer[0]));
 }
 
-/// How the quadrilateral that is left of the face (a, b, outer) is halved: by the diagonal from a to the cut on b's
-/// edge, or by the one from b to the cut on a's. Where one cut edge is long, the diagonal ends at its cut; where
-/// neither is, the vertex with the even place in the row of the lattice decides (their parity rule). Both tets at the
-/// face agree.
+/// True if the rest of the face (a, b, outer), a quadrilateral, is split by the diagonal from a to the cut on b's edge;
+/// false if by the one from b to the cut on a's. If one cut edge is long, the diagonal ends at its cut; if neither is,
+/// the vertex with the even place in the row of the lattice decides (their parity rule). Both tets at the face agree.
 bool Stuffing::diagonal_from_first(int a, int b, int outer) const {
   if (lattice_.is_long(a, outer)) return false;
   if (lattice_.is_long(b, outer)) return true;
@@ -227,18 +227,18 @@ void Stuffing::add_pyramid(int apex, const std::array<int, 4>& quad, bool diagon
   add_tet(apex, quad[first], quad[first + 2], quad[(first + 3) % 4]);
 }
 
-/// Three tets of a prism. diagonal[i] halves the side between the corners i and i + 1: from top[i] to bottom[i + 1], or
-/// from top[i + 1] to bottom[i]. They must not all be alike.
+/// Adds three tets of a prism. diagonal[i] splits the side between the corners i and i + 1: from top[i] to bottom[i +
+/// 1], or from top[i + 1] to bottom[i]. They must not all be equal.
 void Stuffing::add_prism(const std::array<int, 3>& top, const std::array<int, 3>& bottom,
                          const std::array<bool, 3>& diagonal) {
-  int i = 0;  // the corner of the top where two diagonals end
+  int i = 0;  // corner of the top where two diagonals end
   while (!(diagonal[i] && !diagonal[(i + 2) % 3])) ++i;
   const int j = (i + 1) % 3, k = (i + 2) % 3;
   add_tet(top[i], bottom[0], bottom[1], bottom[2]);
   add_pyramid(top[i], {top[j], top[k], bottom[k], bottom[j]}, diagonal[j]);
 }
 
-/// What is left of a tet of which one corner is outside.
+/// Adds the rest of a tet with one corner outside.
 void Stuffing::add_truncated_corner(const std::array<int, 4>& inner, int outer) {
   std::array<int, 3> top, bottom;
   std::array<bool, 3> diagonal;
@@ -250,12 +250,12 @@ void Stuffing::add_truncated_corner(const std::array<int, 4>& inner, int outer) 
   add_prism(top, bottom, diagonal);
 }
 
-/// What is left of a tet of which two corners are outside.
+/// Adds the rest of a tet with two corners outside.
 void Stuffing::add_wedge(int a, int b, int outer1, int outer2) {
   const std::array<int, 3> top = {point(a), cut_point(a, outer1), cut_point(a, outer2)};
   const std::array<int, 3> bottom = {point(b), cut_point(b, outer1), cut_point(b, outer2)};
   const bool first = diagonal_from_first(a, b, outer1), last = !diagonal_from_first(a, b, outer2);
-  // The side on the border is free: the shorter diagonal, unless that would make all three alike.
+  // The side on the border is free: the shorter diagonal, unless all three would be equal.
   const auto& points = soup_.points;
   const bool shorter =
       (points[top[1]] - points[bottom[2]]).squaredNorm() <= (points[top[2]] - points[bottom[1]]).squaredNorm();

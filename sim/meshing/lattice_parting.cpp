@@ -10,7 +10,7 @@
 namespace griffith {
 namespace {
 
-/// Rounded as people write it, so that the size that is told is the one that was tried.
+/// Rounds a size to readable digits, so that the reported size is the one that was tried.
 double rounded(double size) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2g", size);
@@ -23,7 +23,7 @@ int pieces_of(TetSoup soup, const std::string& name) { return soup.tets.empty() 
 
 LatticeParting find_parting(const TriangleSurface& surface, const SurfaceReport& report, const TetSoup& mesh,
                             const MeshingOptions& options, double element_size, const MeshingSetup& setup) {
-  constexpr int kSteps = 6;  // each makes elements shorter by the root of two
+  constexpr int kSteps = 6;  // each step shortens elements by the square root of two
   constexpr double kMaxTets = 5e5;
   LatticeParting parting;
   parting.pieces = parting.joined = pieces_of(mesh, setup.name);

@@ -8,24 +8,23 @@
 
 namespace griffith {
 
-/// Pieces that a lattice has parted a solid into where it is thinner than the elements, and the element size that keeps
-/// it together.
+/// Pieces of a solid that is thinner than the lattice's elements in places, and the element size that keeps it
+/// connected.
 struct LatticeParting {
-  std::int32_t pieces = 1;  ///< of the mesh
-  std::int32_t joined = 1;  ///< of the best finer mesh that was tried; as many as `pieces` where none has fewer
-  std::int32_t shells = 1;  ///< of the surface
-  std::int32_t tried = 0;   ///< finer meshes that were tried
-  double element_size = 0;  ///< of the best of them [m]; 0: none has fewer pieces
+  std::int32_t pieces = 1;  ///< pieces of the mesh
+  std::int32_t joined = 1;  ///< pieces of the best finer mesh that was tried; `pieces` if none has fewer
+  std::int32_t shells = 1;  ///< shells of the surface
+  std::int32_t tried = 0;   ///< number of finer meshes that were tried
+  double element_size = 0;  ///< element size of the best of them [m]; 0: none has fewer pieces
   double least_size = 0;    ///< smallest element size of them [m]
 };
 
-/// Counts the pieces of a mesh from stuff_surface(). Where they may come from the lattice, finer ones are tried down to
-/// an eighth of `element_size`, as long as they have no more than half a million tets. `mesh`: prepared. Throws
-/// Cancelled.
+/// Counts the pieces of a mesh from stuff_surface(). If the lattice may have caused them, tries finer ones down to an
+/// eighth of `element_size`, with at most half a million tets. `mesh`: prepared. Throws Cancelled.
 LatticeParting find_parting(const TriangleSurface& surface, const SurfaceReport& report, const TetSoup& mesh,
                             const MeshingOptions& options, double element_size, const MeshingSetup& setup);
 
-/// A sentence on the parting and its remedy; empty where there is nothing to tell.
+/// Returns a sentence on the pieces and the remedy; empty if there is nothing to report.
 std::string finding(const LatticeParting& parting);
 
 }  // namespace griffith

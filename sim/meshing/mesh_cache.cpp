@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Changes whenever the same surface and options would give another mesh than before.
+/// Version of the meshes. Changes whenever the same surface and options would give another mesh.
 constexpr std::string_view kFormat = "griffith mesh 5\n";
 
 std::string options_text(const MeshingOptions& options) {
@@ -34,7 +34,7 @@ struct Header {
   LatticeParting parting;
 };
 
-/// Whether it is something that fill() can have made: the sum of its bytes tells damage, but not intent.
+/// True if fill() could have made the mesh. The hash of its bytes detects damage, but not intent.
 bool is_possible(const FilledSurface& filled) {
   const auto points = std::ssize(filled.soup.points);
   const auto known = [points](const auto& tet) {
@@ -104,7 +104,7 @@ void write_cache_entry(const fs::path& path, const FilledSurface& filled) {
   try {
     replace_file(path, std::string(kFormat).append(bytes_of(std::span(&sum, 1))) + content);
   } catch (const InputError&) {
-    // A full or read-only disk costs time alone.
+    // A full or read-only disk costs only time.
   }
 }
 

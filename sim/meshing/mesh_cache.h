@@ -11,26 +11,27 @@
 
 namespace griffith {
 
-/// What filling a surface gave.
+/// Result of filling a surface.
 struct FilledSurface {
   TetSoup soup;                                      ///< prepared
-  MeshingMethod method = MeshingMethod::volumetric;  ///< that made it
-  std::string refusal;                               ///< why TetGen did not, where it was meant to; else empty
-  std::string remedy;                                ///< what might help it besides another surface; else empty
-  LatticeParting parting;                            ///< of the method volumetric
+  MeshingMethod method = MeshingMethod::volumetric;  ///< method that made it
+  std::string refusal;                               ///< reason why TetGen failed if it was tried; else empty
+  std::string remedy;                                ///< possible remedy other than another surface; else empty
+  LatticeParting parting;                            ///< result of the method volumetric
 };
 
-/// $XDG_CACHE_HOME/griffith, or ~/.cache/griffith; empty when neither variable is set. It may be deleted at any time.
+/// Returns $XDG_CACHE_HOME/griffith, or ~/.cache/griffith; empty if neither variable is set. The folder may be deleted
+/// at any time.
 std::filesystem::path default_mesh_cache();
 
-/// The file in `folder` for a surface and its options, named by a hash of both.
+/// Returns the file in `folder` for a surface and its options, named by a hash of both.
 std::filesystem::path cache_entry(const std::filesystem::path& folder, const TriangleSurface& surface,
                                   const MeshingOptions& options);
 
-/// What write_cache_entry() wrote; nothing where there is no file, or another or damaged content.
+/// Returns the content of an entry; none if the file is missing, of another kind or damaged.
 std::optional<FilledSurface> read_cache_entry(const std::filesystem::path& path);
 
-/// Failing to write is no error: the mesh will be made again.
+/// Writes an entry. Failure is not an error, since the mesh can be recomputed.
 void write_cache_entry(const std::filesystem::path& path, const FilledSurface& filled);
 
 }  // namespace griffith

@@ -19,7 +19,7 @@ std::array<Vec3, 4> corners_of(const TetSoup& soup, std::size_t tet) {
   return {soup.points[a], soup.points[b], soup.points[c], soup.points[d]};
 }
 
-/// Area vectors out of the tet, face i opposite corner i.
+/// Returns area vectors out of the tet, face i opposite corner i.
 std::array<Vec3, 4> face_areas(const std::array<Vec3, 4>& corners) {
   std::array<Vec3, 4> areas;
   for (int face = 0; face < 4; ++face) {
@@ -59,7 +59,7 @@ std::string bar(int count, int maximum) {
       maximum > 0 ? static_cast<std::size_t>((static_cast<double>(count) * kWidth + maximum - 1) / maximum) : 0, '#');
 }
 
-/// One line a bin, without the empty ones before the first and behind the last.
+/// Returns one line per bin, without empty ones before the first and after the last.
 std::string histogram_text(const std::array<int, MeshQuality::kBins>& bins, double start, double width) {
   const auto filled = [](int count) { return count > 0; };
   const auto first = std::find_if(bins.begin(), bins.end(), filled) - bins.begin();
@@ -80,7 +80,7 @@ std::array<double, 6> dihedral_angles(const std::array<Vec3, 4>& corners) {
   const std::array<Vec3, 4> areas = face_areas(corners);
   std::array<double, 6> angles;
   for (std::size_t i = 0; i < kEdges.size(); ++i) {
-    // The faces at an edge are those opposite the other two corners, which are the ends of the opposite edge.
+    // The faces at an edge are opposite to the other two corners, which are the ends of the opposite edge.
     const auto& [a, b] = kEdges[kEdges.size() - 1 - i];
     angles[i] = std::atan2(areas[a].cross(areas[b]).norm(), -areas[a].dot(areas[b]));
   }

@@ -14,23 +14,23 @@ struct MeshQuality {
   int nodes = 0, tets = 0, surface_triangles = 0;
   double volume = 0;                          ///< [m³]
   double min_dihedral = 0, max_dihedral = 0;  ///< [degrees]
-  std::array<int, kBins> dihedrals = {};      ///< six a tet, in bins of 10°
+  std::array<int, kBins> dihedrals = {};      ///< six per tet, in bins of 10°
   double worst_aspect_ratio = 1, mean_aspect_ratio = 1;
-  std::array<int, kBins> aspect_ratios = {};                  ///< 1 .. 1.5, 1.5 .. 2 and so on, the last without an end
+  std::array<int, kBins> aspect_ratios = {};  ///< bins of 1 .. 1.5, 1.5 .. 2 and so on, the last one open
   double shortest_edge = 0, mean_edge = 0, longest_edge = 0;  ///< [m]
 };
 
-/// The angles between the faces of a tet, one an edge [radians].
+/// Returns the dihedral angles of a tet, one per edge [radians].
 std::array<double, 6> dihedral_angles(const std::array<Vec3, 4>& corners);
 
-/// Longest edge over the radius of the inscribed ball, divided by what it is for a regular tet, √24: 1 at best, without
-/// a bound at worst (Parthasarathy, Graichen & Hathaway 1994, their α).
+/// Returns the longest edge over the radius of the inscribed ball, relative to that of a regular tet, √24: 1 at best,
+/// without an upper bound (Parthasarathy, Graichen & Hathaway 1994, their α).
 double aspect_ratio(const std::array<Vec3, 4>& corners);
 
-/// Measures a soup whose tets are positively oriented.
+/// Returns the quality of a soup with positively oriented tets.
 MeshQuality mesh_quality(const TetSoup& soup);
 
-/// A table of several lines for people.
+/// Returns a table of several lines for readers.
 std::string quality_text(const MeshQuality& quality);
 
 }  // namespace griffith

@@ -16,10 +16,10 @@
 namespace griffith {
 namespace {
 
-/// A difference in volume from the surface's that is worth a word.
+/// Relative difference in volume from the surface that is reported.
 constexpr double kVolumeTolerance = 0.05;
 
-/// TetGen fills cavities, too: what the surface does not wind round is taken out.
+/// Removes tets outside the surface, since TetGen fills cavities too.
 void remove_cavities(TetSoup& soup, const TriangleSurface& surface) {
   const TriangleTree tree(surface);
   std::erase_if(soup.tets, [&](const auto& tet) {
@@ -28,7 +28,7 @@ void remove_cavities(TetSoup& soup, const TriangleSurface& surface) {
   });
 }
 
-/// Why TetGen need not be asked; empty when it may be.
+/// Returns the reason to skip TetGen; empty if there is none.
 std::string unsound(const SurfaceReport& report) {
   if (report.boundary_edges > 0) return "the surface is open";
   if (report.crowded_edges > 0) return "edges belong to more than two triangles";
@@ -56,10 +56,10 @@ TetgenResult try_tetgen(const TriangleSurface& surface, const SurfaceReport& rep
 void require_reasonable_count(double volume, double element_size, const MeshingSetup& setup) {
   const double tets = 12 * std::abs(volume) / (element_size * element_size * element_size);
   if (tets > static_cast<double>(kMaxTets))
-    throw InputError(setup.name, std::string("would take more than ") + kMaxTetsText, "give a larger element size");
+    throw InputError(setup.name, std::string("would take more than ") + kMaxTetsText, "use a larger element size");
 }
 
-/// Why a problem of the lattice is met at all where TetGen was meant to fill the surface; else empty.
+/// Returns the reason why the lattice replaced TetGen; else empty.
 std::string instead_of_tetgen(const FilledSurface& filled) {
   return filled.refusal.empty() ? "" : "; the method is volumetric because " + filled.refusal;
 }
@@ -83,7 +83,7 @@ FilledSurface fill(const TriangleSurface& surface, const SurfaceReport& report, 
     if (options.method == MeshingMethod::tetgen)
       throw InputError(
           setup.name, "TetGen cannot mesh it: " + result.refusal,
-          (result.remedy.empty() ? "repair the surface" : result.remedy) + ", or take the method volumetric");
+          (result.remedy.empty() ? "repair the surface" : result.remedy) + ", or use the method volumetric");
     filled.refusal = result.refusal;
     filled.remedy = result.remedy;
   }
@@ -101,7 +101,7 @@ FilledSurface fill(const TriangleSurface& surface, const SurfaceReport& report, 
   return filled;
 }
 
-/// As fill(), but for a surface and options filled before.
+/// Like fill(), but uses an earlier result for the same surface and options if there is one.
 FilledSurface fill_or_recall(const TriangleSurface& surface, const SurfaceReport& report, const MeshingOptions& options,
                              const MeshingSetup& setup, bool& from_cache) {
   if (setup.cache.empty()) return fill(surface, report, options, setup);
@@ -122,16 +122,16 @@ double volume_of(const TetSoup& soup) {
   return volume;
 }
 
-/// The volume of the mesh less the surface's, as a share of that; 0 where a surface has no volume that says much.
+/// Returns the relative difference in volume of the mesh from the surface; 0 if the surface has no reliable volume.
 double change_in_volume(const SurfaceReport& report, const FilledSurface& filled) {
   if (!unsound(report).empty() || report.shells > 1) return 0;
   return volume_of(filled.soup) / report.volume - 1;
 }
 
-/// Thickness of a thin wall, or a third of a ball's radius: what the elements have to be smaller than [m].
+/// Returns the thickness of a thin wall, or a third of a ball's radius, an upper limit of the element size [m].
 double mean_thickness(const SurfaceReport& report) { return 2 * std::abs(report.volume) / report.area; }
 
-/// What there is to tell about the volume of the mesh; empty: nothing.
+/// Returns a sentence on the volume of the mesh; empty if there is nothing to report.
 std::string volume_finding(const SurfaceReport& report, const FilledSurface& filled) {
   const double change = change_in_volume(report, filled);
   if (std::abs(change) < kVolumeTolerance) return {};
@@ -144,7 +144,7 @@ std::string volume_finding(const SurfaceReport& report, const FilledSurface& fil
   return text;
 }
 
-/// A lattice passes over what is thinner than its elements: little is left of a vase.
+/// Throws if the mesh has lost most of the volume. A lattice misses walls thinner than its elements, as of a vase.
 void require_enough_volume(const SurfaceReport& report, const FilledSurface& filled, const MeshingSetup& setup) {
   constexpr double kMaxLost = 0.5;
   const double change = change_in_volume(report, filled);
@@ -157,7 +157,8 @@ void require_enough_volume(const SurfaceReport& report, const FilledSurface& fil
   throw InputError(setup.name, problem + instead_of_tetgen(filled), for_tetgen_or(filled, remedy));
 }
 
-/// What there is to tell about many more tets than their size asks for; empty: nothing. A thin wall needs its many.
+/// Returns a sentence on many more tets than their size suggests; empty if there is nothing to report. A thin wall
+/// needs many.
 std::string count_finding(const SurfaceReport& report, const FilledSurface& filled, double element_size) {
   constexpr double kMany = 8;
   const double minimum = 6 * std::sqrt(2.0) * report.volume / std::pow(element_size, 3);

@@ -14,29 +14,29 @@
 
 namespace griffith {
 
-/// How meshing runs: nothing here changes the mesh.
+/// Settings of meshing that do not affect the mesh.
 struct MeshingSetup {
-  std::string name = "surface";                         ///< begins messages: a file
-  ProcessLimits limits = {300, std::int64_t{8} << 30};  ///< of TetGen
-  std::filesystem::path cache;                          ///< folder of meshes made before; empty: none
+  std::string name = "surface";                         ///< beginning of messages: a file
+  ProcessLimits limits = {300, std::int64_t{8} << 30};  ///< limits of TetGen
+  std::filesystem::path cache;                          ///< folder of earlier meshes; empty: none
   Monitor monitor;
 };
 
-/// A surface filled with tets.
+/// Surface filled with tets.
 struct SurfaceMesh {
   TetSoup soup;             ///< prepared (mesh_report.h)
-  TriangleSurface surface;  ///< the surface as it was repaired, to be shown in place of the tets' own
+  TriangleSurface surface;  ///< the repaired surface, shown in place of the tets' own
   SurfaceReport surface_report;
-  MeshingMethod method = MeshingMethod::volumetric;  ///< that made the tets
+  MeshingMethod method = MeshingMethod::volumetric;  ///< method that made the tets
   bool from_cache = false;
-  std::vector<std::string> findings;  ///< what the user should know, a sentence each
+  std::vector<std::string> findings;  ///< sentences for the user
 };
 
-/// Fills a surface with tets. Throws InputError when there is no inside, when the wanted method cannot do it, or when a
-/// limit is reached; Cancelled when the monitor says so.
+/// Fills a surface with tets. Throws InputError if there is no interior, if the requested method fails, or if a limit
+/// is reached. Throws Cancelled when the monitor cancels.
 SurfaceMesh mesh_surface(TriangleSurface surface, const MeshingOptions& options, const MeshingSetup& setup = {});
 
-/// The element size of the options, or the one that they leave to the surface [m].
+/// Returns the element size of the options, or its default for the surface [m].
 double element_size_for(const SurfaceReport& report, const MeshingOptions& options);
 
 }  // namespace griffith

@@ -10,39 +10,39 @@
 namespace griffith {
 namespace {
 
-/// Triangles across an edge from each other, and whether they face the same way.
-struct Neighbour {
+/// Neighbor across an edge, and whether its orientation agrees.
+struct Neighbor {
   int triangle = 0;
   bool agrees = true;
 };
 
-std::vector<std::vector<Neighbour>> neighbours_of(const TriangleSurface& surface, const std::vector<HalfEdge>& sides) {
-  std::vector<std::vector<Neighbour>> neighbours(surface.triangles.size());
+std::vector<std::vector<Neighbor>> neighbors_of(const TriangleSurface& surface, const std::vector<HalfEdge>& sides) {
+  std::vector<std::vector<Neighbor>> neighbors(surface.triangles.size());
   for_each_edge(sides, [&](std::span<const HalfEdge> edge) {
     if (edge.size() != 2) return;
     const bool agrees = edge[0].forward != edge[1].forward;
-    neighbours[edge[0].triangle].push_back({edge[1].triangle, agrees});
-    neighbours[edge[1].triangle].push_back({edge[0].triangle, agrees});
+    neighbors[edge[0].triangle].push_back({edge[1].triangle, agrees});
+    neighbors[edge[1].triangle].push_back({edge[0].triangle, agrees});
   });
-  return neighbours;
+  return neighbors;
 }
 
-/// A part of the surface that holds together through edges of two triangles.
+/// Part of the surface connected through edges of two triangles.
 struct Shell {
   std::vector<int> triangles;
   bool closed = true;
   bool one_sided = false;
 };
 
-/// Gathers the part of `start` and gives each of its triangles the side (1 or −1) on which it lies.
-Shell flood(int start, const std::vector<std::vector<Neighbour>>& neighbours, std::vector<int>& side) {
+/// Collects the part of `start` and assigns a side (1 or −1) to each of its triangles.
+Shell flood(int start, const std::vector<std::vector<Neighbor>>& neighbors, std::vector<int>& side) {
   Shell shell;
   shell.triangles = {start};
   side[start] = 1;
   for (std::size_t i = 0; i < shell.triangles.size(); ++i) {
     const int triangle = shell.triangles[i];
-    shell.closed = shell.closed && neighbours[triangle].size() == 3;
-    for (const Neighbour& next : neighbours[triangle]) {
+    shell.closed = shell.closed && neighbors[triangle].size() == 3;
+    for (const Neighbor& next : neighbors[triangle]) {
       const int wanted = next.agrees ? side[triangle] : -side[triangle];
       if (side[next.triangle] == 0) {
         side[next.triangle] = wanted;
@@ -55,7 +55,7 @@ Shell flood(int start, const std::vector<std::vector<Neighbour>>& neighbours, st
   return shell;
 }
 
-/// Makes the triangles of a shell agree; returns how many it turned.
+/// Flips triangles of a shell until they agree. Returns the number of flips.
 int make_consistent(TriangleSurface& surface, const Shell& shell, const std::vector<int>& side) {
   double balance = 0;
   for (const int triangle : shell.triangles)
@@ -84,7 +84,7 @@ TriangleSurface part_of(const TriangleSurface& surface, const Shell& shell) {
   return part;
 }
 
-/// A shell as a surface of its own, with what tells whether another one lies inside it.
+/// Shell as a separate surface, with data to find other shells inside it.
 struct ShellBody {
   TriangleSurface surface;
   TriangleTree tree;
@@ -101,7 +101,7 @@ struct ShellBody {
   }
 };
 
-/// The largest of `bodies` that the body lies in; itself where there is none.
+/// Returns the largest of `bodies` that contains the body, or the body itself.
 const ShellBody& outermost(const ShellBody& body, const std::vector<ShellBody>& bodies) {
   const ShellBody* result = &body;
   for (const ShellBody& other : bodies)
@@ -109,7 +109,7 @@ const ShellBody& outermost(const ShellBody& body, const std::vector<ShellBody>& 
   return *result;
 }
 
-/// Turns the closed shells that are inside out; returns their number.
+/// Inverts the closed shells that are inside out. Returns their number.
 int turn_inside_out_shells(TriangleSurface& surface, std::vector<Shell> shells) {
   std::erase_if(shells, [](const Shell& shell) { return !shell.closed || shell.one_sided; });
   std::vector<ShellBody> bodies;
@@ -134,19 +134,19 @@ void flip_triangle(TriangleSurface& surface, int triangle) {
 }
 
 Orientation orient_surface(TriangleSurface& surface) {
-  const auto neighbours = neighbours_of(surface, half_edges(surface));
+  const auto neighbors = neighbors_of(surface, half_edges(surface));
   std::vector<int> side(surface.triangles.size(), 0);
   std::vector<Shell> shells;
   Orientation result;
   for (std::size_t i = 0; i < side.size(); ++i) {
     if (side[i] != 0) continue;
-    shells.push_back(flood(static_cast<int>(i), neighbours, side));
+    shells.push_back(flood(static_cast<int>(i), neighbors, side));
     if (shells.back().one_sided)
       ++result.one_sided_shells;
     else
       result.flipped_triangles += make_consistent(surface, shells.back(), side);
   }
-  constexpr std::size_t kMaxShells = 2000;  // beyond, nothing is known of the nesting and everything stays as it is
+  constexpr std::size_t kMaxShells = 2000;  // beyond this, nesting is not examined and orientations are kept
   if (shells.size() <= kMaxShells) result.inverted_shells = turn_inside_out_shells(surface, shells);
   return result;
 }

@@ -4,17 +4,17 @@
 
 namespace griffith {
 
-/// What orient_surface() changed, and where it could not help.
+/// Changes and failures of orient_surface().
 struct Orientation {
   int flipped_triangles = 0, inverted_shells = 0, one_sided_shells = 0;
 };
 
-/// Turns triangles until neighbours across edges of two triangles agree, the larger area having its way; then turns
-/// closed shells that are inside out. A closed shell inside another counts as right, being a cavity or a part, unless
-/// the one round it was inside out as well.
+/// Flips triangles until neighbors across edges of two triangles agree, keeping the orientation of the larger area.
+/// Then inverts closed shells that are inside out. A closed shell inside another is a cavity or a part and keeps its
+/// orientation, unless the one around it was inside out as well.
 Orientation orient_surface(TriangleSurface& surface);
 
-/// Turns one triangle round.
+/// Reverses a triangle.
 void flip_triangle(TriangleSurface& surface, int triangle);
 
 }  // namespace griffith

@@ -7,7 +7,7 @@
 namespace griffith {
 namespace {
 
-/// Appends an attribute of corners, zeros where the object has none.
+/// Appends an attribute of corners, zeros if the object has none.
 template <class T>
 void append_corners(std::vector<std::array<T, 3>>& all, const std::vector<std::array<T, 3>>& added, std::size_t count) {
   all.insert(all.end(), added.begin(), added.end());
@@ -45,7 +45,7 @@ void require_finite(const TriangleSurface& surface, const std::filesystem::path&
 TriangleSurface read_surface(const std::filesystem::path& path, double scale, const Monitor& monitor) {
   TriangleSurface surface = joined(read_surface_objects(path, monitor));
   if (surface.triangles.empty())
-    throw InputError(path.string(), "holds no triangles", "export the surface's faces, not its points or lines alone");
+    throw InputError(path.string(), "holds no triangles", "export the surface's faces, not only points or lines");
   for (Vec3& point : surface.points) point *= scale;
   require_finite(surface, path);
   weld_points(surface);

@@ -21,7 +21,7 @@ constexpr std::array kFormats = {".obj", ".stl", ".ply", ".off", ".gltf", ".glb"
 constexpr std::uintmax_t kMaxBytes = 1 << 30;
 constexpr char kRemedy[] = "the file is damaged: export the surface again";
 
-/// Assimp's reader of PLY files never ends where the header does not.
+/// Throws for a PLY file with an unterminated header, since Assimp's reader would never end.
 void require_ply_header(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   for (std::string line; std::getline(file, line);)
@@ -35,7 +35,7 @@ void require_known_file(const fs::path& path) {
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return std::tolower(c); });
   if (std::find(kFormats.begin(), kFormats.end(), extension) == kFormats.end())
-    throw InputError(path.string(), "is no surface format known here", ".obj, .stl, .ply, .off, .gltf or .glb");
+    throw InputError(path.string(), "is not a known surface format", ".obj, .stl, .ply, .off, .gltf or .glb");
   const std::uintmax_t size = fs::file_size(path);
   if (size == 0) throw InputError(path.string(), "is empty", "export the surface again");
   if (size > kMaxBytes) throw InputError(path.string(), "is larger than a gigabyte", "export it with fewer triangles");
@@ -50,13 +50,14 @@ fs::path folder_of_this_program() {
   return fs::read_symlink("/proc/self/exe", error).parent_path();
 }
 
-/// Folder of the shared library that holds this code; that of the program where it is linked into that.
+/// Returns the folder of the shared library that holds this code, or of the program if it is linked statically.
 fs::path folder_of_this_code() {
   Dl_info info{};
   return dladdr(&kReader, &info) && info.dli_fname ? fs::path(info.dli_fname).parent_path() : fs::path();
 }
 
-/// Beside this program or library, else where it was built, else by name alone, which looks it up in PATH.
+/// Returns the reader beside this program or library, else in its build folder, else its name alone, to be found in
+/// PATH.
 fs::path reader_program() {
   std::error_code error;
   for (const fs::path& folder : {folder_of_this_program(), folder_of_this_code()})
@@ -71,7 +72,7 @@ fs::path reader_program() {
                            ", or name its folder in PATH (it is installed with the library, in bin)");
 }
 
-/// Ten times what the slowest format takes, of memory up to what TetGen may take.
+/// Returns limits of ten times the needs of the slowest format, with as much memory as TetGen may take.
 ProcessLimits limits_for(std::uintmax_t file_size) {
   const auto bytes = static_cast<std::int64_t>(file_size);
   return {20 + 5e-6 * static_cast<double>(bytes),
@@ -82,8 +83,7 @@ void require_success(const ProcessOutcome& outcome, const ProcessLimits& limits,
   if (outcome.end == ProcessOutcome::End::cancelled) throw Cancelled();
   if (outcome.end == ProcessOutcome::End::out_of_time) {
     const std::string seconds = std::to_string(static_cast<int>(limits.seconds));
-    throw InputError(path.string(), "cannot be read: its reader did not come to an end within " + seconds + " s",
-                     kRemedy);
+    throw InputError(path.string(), "cannot be read: its reader did not finish within " + seconds + " s", kRemedy);
   }
   if (outcome.end == ProcessOutcome::End::killed_by_signal)
     throw InputError(path.string(), "cannot be read: its reader was ended by signal " + std::to_string(outcome.code),

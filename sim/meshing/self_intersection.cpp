@@ -9,15 +9,15 @@
 namespace griffith {
 namespace {
 
-/// Below this sine of the angle between them two neighbours lie on each other.
+/// Two neighbors overlap if the sine of the angle between them is smaller.
 constexpr double kFoldedSine = 1e-6;
-/// Relative to the longest edge: triangles within it lie in one plane.
+/// Tolerance of coplanar triangles, relative to the longest edge.
 constexpr double kPlaneTolerance = 1e-9;
-constexpr int kMaxPairs = 100;  ///< of a triangle with those of higher numbers
+constexpr int kMaxPairs = 100;  ///< limit per triangle, with those of higher numbers
 
 using CornerPositions = std::array<Vec3, 3>;
 
-/// Where the segment from p to q passes through the inside of a triangle.
+/// Returns the point where the segment from p to q crosses the interior of a triangle.
 std::optional<Vec3> crossing(const Vec3& p, const Vec3& q, const CornerPositions& triangle, double tolerance) {
   const Vec3 normal = area_vector(triangle).normalized();
   const double above = normal.dot(p - triangle[0]), below = normal.dot(q - triangle[0]);
@@ -30,7 +30,7 @@ std::optional<Vec3> crossing(const Vec3& p, const Vec3& q, const CornerPositions
   return place;
 }
 
-/// Whether two triangles of one plane with this normal overlap: no edge of either parts them (separating axes).
+/// True if two coplanar triangles with this normal overlap: no edge of either separates them (separating axes).
 bool overlap_in_plane(const CornerPositions& a, const CornerPositions& b, const Vec3& normal, double tolerance) {
   for (const CornerPositions* corners : {&a, &b})
     for (int i = 0; i < 3; ++i) {
@@ -49,11 +49,11 @@ double longest_edge(const CornerPositions& corners) {
       {(corners[1] - corners[0]).norm(), (corners[2] - corners[1]).norm(), (corners[0] - corners[2]).norm()});
 }
 
-/// A point that two triangles have in common beyond the `shared` corners, which come first in both.
+/// Returns a common point of two triangles beyond the `shared` corners, which come first in both.
 std::optional<Vec3> common_point(const CornerPositions& a, const CornerPositions& b, int shared) {
   const Vec3 normal = area_vector(a).normalized();
   const double tolerance = kPlaneTolerance * std::max(longest_edge(a), longest_edge(b));
-  if (shared == 2) {  // neighbours: folded onto each other, or well
+  if (shared == 2) {  // neighbors: either folded onto each other, or without an intersection
     const Vec3 edge = (a[1] - a[0]).normalized();
     const Vec3 to_a = (a[2] - a[0]) - edge * edge.dot(a[2] - a[0]);
     const Vec3 to_b = (b[2] - b[0]) - edge * edge.dot(b[2] - b[0]);
@@ -73,7 +73,7 @@ std::optional<Vec3> common_point(const CornerPositions& a, const CornerPositions
   return std::nullopt;
 }
 
-/// Moves the corners that both triangles have to the front, in the same order; returns their number.
+/// Moves the corners of both triangles to the front, in the same order. Returns their number.
 int align_shared(std::array<int, 3>& a, std::array<int, 3>& b) {
   int shared = 0;
   for (int i = 0; i < 3; ++i)
@@ -90,7 +90,7 @@ int align_shared(std::array<int, 3>& a, std::array<int, 3>& b) {
 std::optional<Vec3> common_point(const TriangleSurface& surface, int first, int second) {
   auto a = surface.triangles[first], b = surface.triangles[second];
   const int shared = align_shared(a, b);
-  if (shared == 3) return std::nullopt;  // a duplicate, which is counted as such
+  if (shared == 3) return std::nullopt;  // a duplicate, counted separately
   const auto corners = [&](const auto& t) {
     return CornerPositions{surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]};
   };

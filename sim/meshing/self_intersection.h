@@ -6,16 +6,15 @@
 
 namespace griffith {
 
-/// Two triangles of a surface that pass through each other, or lie on each other, beyond what they share as neighbours.
+/// Pairs of triangles of a surface that intersect or overlap beyond their shared corners.
 struct SelfIntersections {
   int pairs = 0;
   bool all_known = true;                ///< false: there may be more pairs
-  std::array<int, 2> first = {-1, -1};  ///< of the known pairs the one with the lowest numbers
+  std::array<int, 2> first = {-1, -1};  ///< the known pair with the lowest numbers
   Vec3 place = Vec3::Zero();            ///< a point of the first pair [m]
 };
 
-/// Finds the pairs, of each triangle a hundred at most: a tangle need not be counted to the end. Triangles that merely
-/// touch do not count.
+/// Finds the pairs, at most a hundred per triangle. Triangles that merely touch do not count.
 SelfIntersections find_self_intersections(const TriangleSurface& surface);
 
 }  // namespace griffith

@@ -7,7 +7,7 @@
 namespace griffith {
 namespace {
 
-/// Per point of a triangle: the first one with the same coordinates.
+/// Returns, per point of a triangle, the first one with the same coordinates.
 std::vector<int> first_equal_points(const TriangleSurface& surface) {
   const std::vector<Vec3>& points = surface.points;
   std::vector<int> order;
@@ -49,7 +49,7 @@ Eigen::AlignedBox3d bounds(const TriangleSurface& surface) {
 
 double enclosed_volume(const TriangleSurface& surface) {
   if (surface.points.empty()) return 0;
-  const Vec3 origin = surface.points.front();  // near the surface: less is lost to rounding
+  const Vec3 origin = surface.points.front();  // near the surface, to reduce rounding errors
   double volume = 0;
   for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
     const auto corners = corners_of(surface, static_cast<int>(i));

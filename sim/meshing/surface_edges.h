@@ -7,14 +7,15 @@
 
 namespace griffith {
 
-/// An edge as a triangle sees it.
+/// Edge of a triangle.
 struct HalfEdge {
-  int low = 0, high = 0;  ///< its points, by number
+  int low = 0, high = 0;  ///< indices of its points
   int triangle = 0;
-  bool forward = true;  ///< whether the triangle runs from `low` to `high`
+  bool forward = true;  ///< true if the triangle runs from `low` to `high`
 };
 
-/// All sides of all triangles, those of one edge next to each other; ordered by the edge's points, then by triangle.
+/// Returns all sides of all triangles, ordered by the edge's points, then by triangle. The sides of one edge are
+/// adjacent.
 std::vector<HalfEdge> half_edges(const TriangleSurface& surface);
 
 /// Calls visit(sides) for every edge with the span of its half edges.
@@ -26,8 +27,8 @@ void for_each_edge(const std::vector<HalfEdge>& sides, const Visit& visit) {
   }
 }
 
-/// Per triangle, the number of the part that it belongs to; parts hold together through edges, and are numbered by
-/// their first triangles. `manifold_only`: through edges of two triangles alone.
+/// Returns the part of each triangle. Parts are connected through edges and numbered by their first triangles.
+/// `manifold_only`: connect only through edges of two triangles.
 std::vector<int> edge_connected_parts(const TriangleSurface& surface, const std::vector<HalfEdge>& sides,
                                       bool manifold_only);
 

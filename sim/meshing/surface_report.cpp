@@ -5,19 +5,19 @@
 #include <set>
 
 #include "sim/core/error.h"
+#include "sim/core/number_text.h"
 #include "sim/geometry/disjoint_sets.h"
-#include "sim/mesh/number_text.h"
 #include "sim/meshing/orient_surface.h"
 #include "sim/meshing/surface_edges.h"
 
 namespace griffith {
 namespace {
 
-constexpr double kSmallest = 1e-3, kLargest = 1e3;  ///< sizes beyond are likely to be a wrong unit [m]
-/// A triangle whose area is below this share of its longest edge squared is flat.
+constexpr double kSmallest = 1e-3, kLargest = 1e3;  ///< sizes beyond suggest a wrong unit [m]
+/// Largest area of flat triangles, relative to their longest edge squared.
 constexpr double kFlatFraction = 1e-8;
 
-/// Keeps the triangles that are marked with 1.
+/// Keeps the values that are marked with 1.
 template <class T>
 void keep(std::vector<T>& values, const std::vector<char>& kept) {
   if (values.empty()) return;
@@ -74,13 +74,13 @@ void count_edges(const TriangleSurface& surface, const std::vector<HalfEdge>& si
   report.boundary_loops = static_cast<int>(std::unique(on_boundary.begin(), on_boundary.end()) - on_boundary.begin());
 }
 
-/// The corner of `triangle` at `point`, counted over all triangles.
+/// Returns the corner of `triangle` at `point`, counted over all triangles.
 int corner_at(const TriangleSurface& surface, int triangle, int point) {
   const auto& corners = surface.triangles[triangle];
   return 3 * triangle + static_cast<int>(std::find(corners.begin(), corners.end(), point) - corners.begin());
 }
 
-/// Corners at a point that triangles join across edges form a fan: a point has one.
+/// Counts points with more than one fan: corners that triangles join across edges form a fan.
 void count_pinched_points(const TriangleSurface& surface, const std::vector<HalfEdge>& sides, SurfaceReport& report) {
   DisjointSets fans(3 * static_cast<int>(surface.triangles.size()));
   for_each_edge(sides, [&](std::span<const HalfEdge> edge) {
@@ -98,12 +98,12 @@ void count_pinched_points(const TriangleSurface& surface, const std::vector<Half
     if (fans_at[i] > 1 && report.pinched_points++ == 0) report.first_pinched = surface.points[i];
 }
 
-/// "1 triangle" or "3 triangles".
+/// Returns "1 triangle" or "3 triangles".
 std::string count_text(int count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-/// "3 edges belong ..." or "1 edge belongs ...".
+/// Returns "3 edges belong ..." or "1 edge belongs ...".
 std::string sentence(int count, const char* noun, const char* one, const char* many) {
   return count_text(count, noun) + (count == 1 ? one : many);
 }
@@ -176,8 +176,8 @@ std::vector<std::string> findings(const SurfaceReport& report) {
   if (report.shells > 1) list.push_back("the surface has " + std::to_string(report.shells) + " separate shells");
   char size[64];
   std::snprintf(size, sizeof size, "the surface measures %.3g m across: ", report.size());
-  if (report.size() < kSmallest) list.push_back(std::string(size) + "if its unit is no metre, give a larger scale");
-  if (report.size() > kLargest) list.push_back(std::string(size) + "if its unit is no metre, give a smaller scale");
+  if (report.size() < kSmallest) list.push_back(std::string(size) + "if its unit is not a meter, set a larger scale");
+  if (report.size() > kLargest) list.push_back(std::string(size) + "if its unit is not a meter, set a smaller scale");
   return list;
 }
 

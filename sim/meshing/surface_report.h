@@ -8,36 +8,36 @@
 
 namespace griffith {
 
-/// What prepare_surface() found and what it changed.
+/// Findings and changes of prepare_surface().
 struct SurfaceReport {
-  int points = 0, triangles = 0;  ///< after the repairs
-  int removed_triangles = 0;      ///< had a corner twice, or the corners of an earlier triangle; removed
-  int flat_triangles = 0;         ///< have next to no area for their length; kept
-  int flipped_triangles = 0;      ///< faced the other way than their neighbours; turned
-  int inverted_shells = 0;        ///< closed shells that were inside out; turned
-  int one_sided_shells = 0;       ///< cannot be oriented, such as a Möbius strip
-  int boundary_edges = 0;         ///< belong to one triangle alone: a hole
-  int boundary_loops = 0;         ///< parts into which they fall
-  int crowded_edges = 0;          ///< belong to more than two triangles
-  int pinched_points = 0;         ///< join parts of the surface that share no edge there
-  int shells = 0;                 ///< parts that hold together through edges
+  int points = 0, triangles = 0;  ///< counts after the repairs
+  int removed_triangles = 0;  ///< triangles with a repeated corner, or with the corners of an earlier triangle; removed
+  int flat_triangles = 0;     ///< triangles of almost no area for their length; kept
+  int flipped_triangles = 0;  ///< triangles with another orientation than their neighbors; flipped
+  int inverted_shells = 0;    ///< closed shells that were inside out; inverted
+  int one_sided_shells = 0;   ///< shells that cannot be oriented, such as a Möbius strip
+  int boundary_edges = 0;     ///< edges of only one triangle: a hole
+  int boundary_loops = 0;     ///< parts of the boundary
+  int crowded_edges = 0;      ///< edges of more than two triangles
+  int pinched_points = 0;     ///< points joining parts of the surface that share no edge there
+  int shells = 0;             ///< parts connected through edges
   SelfIntersections self_intersections;
-  Vec3 first_boundary = Vec3::Zero(), first_crowded = Vec3::Zero(), first_pinched = Vec3::Zero();  ///< places [m]
-  double volume = 0, area = 0;                          ///< [m³], [m²]; the volume of an open surface means nothing
+  Vec3 first_boundary = Vec3::Zero(), first_crowded = Vec3::Zero(), first_pinched = Vec3::Zero();  ///< positions [m]
+  double volume = 0, area = 0;                          ///< [m³], [m²]; the volume of an open surface is meaningless
   Vec3 minimum = Vec3::Zero(), maximum = Vec3::Zero();  ///< bounding box [m]
 
-  /// Whether the surface parts an inside from an outside without a doubt.
+  /// True if the surface separates inside and outside without ambiguity.
   bool closed() const { return boundary_edges == 0 && crowded_edges == 0 && one_sided_shells == 0; }
-  /// The length of the bounding box's diagonal [m].
+  /// Returns the diagonal of the bounding box [m].
   double size() const { return (maximum - minimum).norm(); }
 };
 
-/// Makes a surface as sound as safe repairs make it (drops repeated triangles, turns triangles and closed shells that
-/// face the wrong way; a shell inside another one is left as a cavity) and finds what else is wrong with it. `name` (a
-/// file) begins the messages. Throws InputError when no triangle is left.
+/// Repairs a surface as far as it is safe: removes repeated triangles, flips triangles and inverts closed shells with
+/// the wrong orientation, but keeps a shell inside another one as a cavity. Reports all other findings. `name` (a file)
+/// begins the messages. Throws InputError if no triangle is left.
 SurfaceReport prepare_surface(TriangleSurface& surface, const std::string& name = "surface");
 
-/// One sentence a finding, for people; empty when there is nothing to tell.
+/// Returns one sentence per finding; empty if there are none.
 std::vector<std::string> findings(const SurfaceReport& report);
 
 }  // namespace griffith

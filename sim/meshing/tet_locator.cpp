@@ -8,7 +8,7 @@
 namespace griffith {
 namespace {
 
-/// The free faces of a soup, and the tets behind them.
+/// Returns the free faces of a soup and the tets behind them.
 TriangleSurface free_faces(const TetSoup& soup, std::vector<int>& tet_of_triangle) {
   const TetMesh mesh = build_mesh(soup);
   TriangleSurface surface;
@@ -25,7 +25,7 @@ TriangleSurface free_faces(const TetSoup& soup, std::vector<int>& tet_of_triangl
 
 TetLocator::TetLocator(const TetSoup& soup) : soup_(soup), surface_(free_faces(soup, tet_of_triangle_)) {
   for (const Vec3& point : soup.points) box_.extend(point);
-  // About one cell a tet.
+  // About one cell per tet.
   const double edge = std::cbrt(box_.volume() / static_cast<double>(soup.tets.size()));
   for (int axis = 0; axis < 3; ++axis) size_[axis] = std::clamp(static_cast<int>(box_.sizes()[axis] / edge), 1, 512);
   cell_ = box_.sizes().cwiseQuotient(Vec3(size_[0], size_[1], size_[2]));
@@ -73,7 +73,7 @@ std::array<double, 4> TetLocator::weights_in(int tet, const Vec3& point) const {
 
 EmbeddedPoint TetLocator::locate(const Vec3& point) const {
   EmbeddedPoint best;
-  double best_depth = -1e-12;  // a point on a face is held
+  double best_depth = -1e-12;  // a point on a face is inside
   const int cell = flat(cell_of(point));
   for (int i = first_[cell]; i < first_[cell + 1]; ++i) {
     const auto weights = weights_in(tets_[i], point);

@@ -8,19 +8,20 @@
 
 namespace griffith {
 
-/// Finds the tet at a point, by a grid of cells that know their tets and, outside, by a tree of the soup's surface.
+/// Search for the tet at a point: a grid of cells with their tets and, for points outside, a tree of the soup's
+/// surface.
 class TetLocator {
  public:
-  /// `soup`: prepared, not empty; it has to live as long as this.
+  /// `soup`: prepared, not empty; must outlive this object.
   explicit TetLocator(const TetSoup& soup);
 
-  /// The tet that holds the point, or else the one whose face is nearest, with the point's weights in it.
+  /// Returns the tet that contains the point, or else the one with the nearest face, and the point's weights in it.
   EmbeddedPoint locate(const Vec3& point) const;
-  /// The weights of a point in a tet (barycentric coordinates).
+  /// Returns the barycentric coordinates of a point in a tet.
   std::array<double, 4> weights_in(int tet, const Vec3& point) const;
 
  private:
-  /// The cell, clamped to the grid, that holds a point.
+  /// Returns the cell of a point, clamped to the grid.
   std::array<int, 3> cell_of(const Vec3& point) const;
   int flat(const std::array<int, 3>& cell) const { return cell[0] + size_[0] * (cell[1] + size_[1] * cell[2]); }
   template <class Visit>
@@ -28,12 +29,12 @@ class TetLocator {
   void fill_cells();
 
   const TetSoup& soup_;
-  std::vector<int> tet_of_triangle_;  ///< of `surface_`; filled as that is made
+  std::vector<int> tet_of_triangle_;  ///< tets of `surface_`, filled while it is built
   TriangleTree surface_;
   Eigen::AlignedBox3d box_;
   std::array<int, 3> size_;
-  Vec3 cell_;                      ///< edges [m]
-  std::vector<int> first_, tets_;  ///< per cell, where its tets begin; the tets of all cells
+  Vec3 cell_;                      ///< edges of a cell [m]
+  std::vector<int> first_, tets_;  ///< per cell: start of its tets; tets of all cells
 };
 
 }  // namespace griffith

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <optional>
 
+#include "sim/core/number_text.h"
 #include "sim/core/replace_file.h"
 #include "sim/core/temporary_folder.h"
-#include "sim/mesh/number_text.h"
 #include "sim/mesh/read_mesh.h"
 
 namespace griffith {
@@ -16,10 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// TetGen is given bounds, and stays well below them: this much longer edges are allowed than are wanted in the mean.
+/// Ratio of the bound given to TetGen to the desired mean edge, since it stays well below its bounds.
 constexpr double kAllowance = 1.3;
 
-/// TetGen's .poly: points, then a facet of one triangle each, all with the marker 1.
+/// Returns TetGen's .poly: points, then a facet of one triangle each, all with the marker 1.
 std::string poly_text(const TriangleSurface& surface) {
   std::string text;
   append_number(text, surface.points.size(), ' ');
@@ -37,7 +37,7 @@ std::string poly_text(const TriangleSurface& surface) {
   return text + "0\n0\n";
 }
 
-/// TetGen's .var: facets with the marker 1 have triangles of at most the area of a regular one.
+/// Returns TetGen's .var: facets with the marker 1 have triangles of at most the area of a regular one.
 std::string var_text(double element_size) {
   const double edge = kAllowance * element_size;
   std::string text = "1\n0 1 ";
@@ -54,7 +54,7 @@ std::string switches(const MeshingOptions& options, double element_size) {
   return text;
 }
 
-/// "Refining mesh..." is a stage; "Refinement seconds:  0.07" is none.
+/// Returns the stage in a line: "Refining mesh..." is one; "Refinement seconds:  0.07" is none.
 std::optional<std::string> stage_in(const std::string& line) {
   const std::size_t dots = line.find("...");
   if (dots == std::string::npos || dots == 0) return std::nullopt;
@@ -66,18 +66,18 @@ std::string refusal_of(const ProcessOutcome& outcome, const std::string& stage) 
     return "TetGen is not installed or not in PATH (Debian's package is tetgen)";
   const std::string code = std::to_string(outcome.code);
   const bool aborted = outcome.end == ProcessOutcome::End::killed_by_signal && outcome.code == SIGABRT;
-  const std::string how = aborted                                      ? "gave up"
+  const std::string how = aborted                                      ? "aborted"
                           : outcome.end == ProcessOutcome::End::exited ? "ended with exit code " + code
                                                                        : "was ended by signal " + code;
   return "TetGen " + how + (stage.empty() ? " at its start" : " at \"" + stage + "\"");
 }
 
-/// Whether the program is likely to have failed for want of memory: it does not say so, but memory was short.
+/// True if the program probably ran out of memory. It does not report this, but memory was short.
 bool ran_out_of_memory(const ProcessOutcome& outcome, const ProcessLimits& limits) {
   return !outcome.succeeded() && outcome.peak_memory_bytes > limits.memory_bytes / 2;
 }
 
-/// Why a limit ended it; nothing where none did.
+/// Returns the failure if a limit ended the program; none otherwise.
 std::optional<TetgenResult> beyond_limits(const ProcessOutcome& outcome, const ProcessLimits& limits) {
   constexpr double kMegabyte = 1 << 20;
   char amount[64];
@@ -85,13 +85,13 @@ std::optional<TetgenResult> beyond_limits(const ProcessOutcome& outcome, const P
     std::snprintf(amount, sizeof amount, "%.3g s", limits.seconds);
     return TetgenResult{{},
                         std::string("TetGen did not finish within the time limit of ") + amount,
-                        "give a larger element size or time limit"};
+                        "use a larger element size or time limit"};
   }
   if (ran_out_of_memory(outcome, limits)) {
     std::snprintf(amount, sizeof amount, "%.0f MB", static_cast<double>(limits.memory_bytes) / kMegabyte);
     return TetgenResult{{},
                         std::string("TetGen needs more than the memory limit of ") + amount,
-                        "give a larger element size or memory limit"};
+                        "use a larger element size or memory limit"};
   }
   return std::nullopt;
 }
@@ -110,7 +110,7 @@ TetgenResult run_tetgen(const TriangleSurface& surface, const MeshingOptions& op
     stage = *found;
     monitor.enter("TetGen: " + stage);
   };
-  // Without stdbuf its lines would stay in its buffer until the end, and be lost when it aborts.
+  // Without stdbuf its lines would stay in its buffer until the end, and be lost if it aborts.
   const ProcessOutcome outcome = run_process(
       {"stdbuf", "-oL", "tetgen", switches(options, element_size), (folder.path() / "surface.poly").string()}, limits,
       on_line, [&] { return folder.termination_requested() || monitor.is_cancelled(); });

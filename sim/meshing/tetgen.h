@@ -10,15 +10,16 @@
 
 namespace griffith {
 
-/// What TetGen made of a surface.
+/// Result of TetGen.
 struct TetgenResult {
   TetSoup soup;
-  std::string refusal;  ///< why there is none; empty when it went well
-  std::string remedy;   ///< what might help besides another surface, such as more time; else empty
+  std::string refusal;  ///< reason of failure; empty after success
+  std::string remedy;   ///< possible remedy other than another surface, such as more time; else empty
 };
 
-/// Fills a surface with tets by running TetGen (Si 2015) as a program of its own in a temporary folder. Faces on the
-/// surface get edges of about `element_size` [m], where the surface's own triangles are not smaller. Throws Cancelled.
+/// Fills a surface with tets by running TetGen (Si 2015) as a separate program in a temporary folder. Faces on the
+/// surface get edges of about `element_size` [m], or smaller ones where the surface's own triangles are smaller. Throws
+/// Cancelled.
 TetgenResult run_tetgen(const TriangleSurface& surface, const MeshingOptions& options, double element_size,
                         const ProcessLimits& limits, const Monitor& monitor = {});
 

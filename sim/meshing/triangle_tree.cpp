@@ -12,7 +12,7 @@ namespace griffith {
 namespace {
 
 constexpr int kLeafTriangles = 4;
-/// A group of triangles is far when the point is this many of its radii away.
+/// Smallest distance of a far group of triangles, in its radii.
 constexpr double kFarRadii = 3;
 
 Vec3 middle_of(const std::array<Vec3, 3>& corners) { return (corners[0] + corners[1] + corners[2]) / 3; }
@@ -23,7 +23,7 @@ Eigen::AlignedBox3d box_of(const std::array<Vec3, 3>& corners) {
   return box;
 }
 
-/// Under which a triangle is seen from `point`, negative from behind (van Oosterom & Strackee 1983, eq. 8).
+/// Returns the solid angle of a triangle seen from `point`, negative from behind (van Oosterom & Strackee 1983, eq. 8).
 double solid_angle_of(const std::array<Vec3, 3>& corners, const Vec3& point) {
   const Vec3 a = corners[0] - point, b = corners[1] - point, c = corners[2] - point;
   const double la = a.norm(), lb = b.norm(), lc = c.norm();

@@ -8,14 +8,14 @@
 namespace griffith {
 namespace {
 
-/// Inside out or not, there is an inside.
+/// True for inside points, of inverted surfaces too.
 bool is_inside(const TriangleTree& tree, const Vec3& point) { return std::abs(tree.winding_number(point)) >= 0.5; }
 
-/// The border between an inner and an outer point as a share of the way. The signed distance leads there in few steps
-/// (regula falsi); across a hole, where it jumps, halving does.
+/// Returns the border between an inner and an outer point as a fraction of the way. The signed distance finds it in few
+/// steps (regula falsi); bisection does where it jumps, across a hole.
 double crossing(const TriangleTree& tree, const Vec3& inner, const Vec3& outer) {
   constexpr int kMaxSteps = 12;
-  constexpr double kTolerance = 1e-4;  // of the way
+  constexpr double kTolerance = 1e-4;  // fraction of the way
   const double length = (outer - inner).norm();
   double low = 0, high = 1;
   double depth = tree.nearest(inner).distance, height = tree.nearest(outer).distance;

@@ -8,10 +8,10 @@
 
 namespace griffith {
 
-/// Fills what a surface winds round at least half (its generalised winding number) by isosurface stuffing, so that
-/// holes, crossings and loose triangles do no harm. `element_size`: the longer edge of the lattice [m]; what is thinner
-/// is lost. The soup is empty when the surface has no inside. Throws InputError, about `name`, when the lattice would
-/// be too fine, and Cancelled.
+/// Fills the points of winding number at least one half by isosurface stuffing. Holes, self-intersections and loose
+/// triangles do not matter. `element_size`: longer edge of the lattice [m]; thinner parts are lost. Returns an empty
+/// soup if the surface has no interior. Throws InputError, about `name`, if the lattice would be too fine, and
+/// Cancelled.
 TetSoup stuff_surface(const TriangleSurface& surface, double element_size, double grading, const std::string& name,
                       const Monitor& monitor = {});
 

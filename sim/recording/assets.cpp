@@ -27,7 +27,7 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-/// What the pattern's group finds in the text, each once.
+/// Returns the distinct matches of the pattern's group in the text.
 std::set<std::string> all_found(const std::string& text, const std::regex& pattern) {
   std::set<std::string> found;
   for (auto match = std::sregex_iterator(text.begin(), text.end(), pattern); match != std::sregex_iterator(); ++match)
@@ -35,7 +35,7 @@ std::set<std::string> all_found(const std::string& text, const std::regex& patte
   return found;
 }
 
-/// The JSON in the first chunk of a binary glTF file, behind its header; empty where there is none.
+/// Returns the JSON in the first chunk of a binary glTF file, after its header. Empty if there is none.
 std::string json_of_glb(const std::string& content) {
   constexpr std::size_t kHeader = 20, kLengthAt = 12;
   std::uint32_t length = 0;
@@ -44,7 +44,7 @@ std::string json_of_glb(const std::string& content) {
   return content.substr(kHeader, length);
 }
 
-/// The files that buffers and images of glTF name; those that hold their data themselves name none.
+/// Returns the files that buffers and images of glTF name. Those with embedded data name none.
 std::set<std::string> uris_in(const std::string& gltf) {
   const auto json = nlohmann::json::parse(gltf, nullptr, false);
   std::set<std::string> uris;
@@ -57,7 +57,7 @@ std::set<std::string> uris_in(const std::string& gltf) {
   return uris;
 }
 
-/// Files beside `file` that it needs or names; some may be missing.
+/// Returns the files beside `file` that it needs or names. Some may not exist.
 std::set<std::string> named_in(const fs::path& file, const std::string& content) {
   static const std::regex kMaterials("mtllib[ \\t]+([^\\r\\n]{1,200})");
   const std::string kind = lower_case(file.extension().string());
@@ -69,8 +69,8 @@ std::set<std::string> named_in(const fs::path& file, const std::string& content)
   return {};
 }
 
-/// True if it is a file in the folder of `file` or below, also once links are resolved: what a surface names elsewhere
-/// is not read for it either.
+/// True if it is a file in or below the folder of `file` after all links are resolved. Files elsewhere are not read for
+/// a surface either.
 bool is_beside(const fs::path& file, const std::string& name) {
   const fs::path plain = fs::path(name).lexically_normal();
   std::error_code ignored;
@@ -84,7 +84,7 @@ class AssetCollector {
   AssetCollector(fs::path folder, OutsideFiles outside, FileTree& files)
       : folder_(std::move(folder)), outside_(outside), files_(files) {}
 
-  /// Takes the file or folder in; the path that leads to it from now on. `filled`: null for what is no surface.
+  /// Adds a file or folder. Returns its path in the recording. `filled`: null if it is not a surface.
   fs::path add(const fs::path& path, const TetSoup* filled) {
     const auto [known, is_new] = added_.try_emplace({path, filled});
     if (!is_new) return known->second;
@@ -112,13 +112,13 @@ class AssetCollector {
     files_[folder + source.filename().string()] = content;
   }
 
-  /// A scene without a folder came from no file: whoever made it named the files.
+  /// A scene without a folder came from no file, so its maker named the files.
   std::string content_of(const fs::path& file) const {
     std::error_code ignored;
     const bool outside = fs::exists(file, ignored) && !is_within(folder_, file);
     if (outside && !folder_.empty() && outside_ == OutsideFiles::refuse)
       throw InputError(file.string(),
-                       "is outside the scene's folder " + folder_.string() + ", and is not packed unasked",
+                       "is outside the scene's folder " + folder_.string() + ", and is not packed by default",
                        "copy it into that folder and name it there, or pack it with --pack-outside");
     return read_file(file);
   }

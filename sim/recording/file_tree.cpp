@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kOtherFile[] = "is it the file that was meant?";
+constexpr char kOtherFile[] = "is it the intended file?";
 
 using Reader = std::unique_ptr<archive, decltype(&archive_read_free)>;
 using Writer = std::unique_ptr<archive, decltype(&archive_write_free)>;
@@ -25,14 +25,14 @@ using Entry = std::unique_ptr<archive_entry, decltype(&archive_entry_free)>;
 
 [[noreturn]] void fail(archive* archive, const std::string& where) {
   const char* reason = archive_error_string(archive);
-  throw InputError(where, std::string("is no whole recording: ") + (reason ? reason : "damaged"), kOtherFile);
+  throw InputError(where, std::string("is not a complete recording: ") + (reason ? reason : "damaged"), kOtherFile);
 }
 
 void check(int result, archive* archive, const std::string& where) {
   if (result < ARCHIVE_WARN) fail(archive, where);
 }
 
-/// True if any file system can hold it and any terminal show it.
+/// True if any file system can store the name and any terminal show it.
 bool is_plain_name(const fs::path& part) {
   constexpr std::size_t kLongestName = 255;
   const std::string name = part.string();
@@ -40,7 +40,7 @@ bool is_plain_name(const fs::path& part) {
   return name.size() <= kLongestName && std::ranges::none_of(name, is_control);
 }
 
-/// Whether a path, without "." in it, stays below the folder that it starts at, under names that can be.
+/// True if a path, without "." in it, stays below its starting folder and has permitted names.
 bool stays_below(const std::string& path) {
   constexpr std::size_t kLongest = 1000;
   const fs::path plain(path);
@@ -49,7 +49,7 @@ bool stays_below(const std::string& path) {
          std::ranges::all_of(plain, is_plain_name);
 }
 
-/// Throws where a file would have to be a folder as well.
+/// Throws if a file would also be a folder.
 void require_tree(const FileTree& files, const std::string& where) {
   for (const auto& [path, content] : files)
     for (fs::path above = fs::path(path).parent_path(); !above.empty(); above = above.parent_path())
@@ -57,7 +57,7 @@ void require_tree(const FileTree& files, const std::string& where) {
         throw InputError(where, "holds \"" + above.generic_string() + "\" both as a file and as a folder", kOtherFile);
 }
 
-/// Bytes that an archive of a size may unpack to: files of runs shrink some ten times, at most a hundred.
+/// Returns the largest unpacked size of an archive [bytes]. Files of runs shrink some ten times, at most a hundred.
 std::int64_t most_unpacked(std::size_t packed) {
   constexpr std::int64_t kAlways = 64 << 20, kMostTimes = 1000;
   return std::clamp(kMostTimes * static_cast<std::int64_t>(packed), kAlways, kMaxTreeBytes);
@@ -78,7 +78,7 @@ la_ssize_t append_bytes(archive*, void* text, const void* bytes, std::size_t siz
   return static_cast<la_ssize_t>(size);
 }
 
-/// What is left of the entry's content. `allowed` [bytes].
+/// Returns the remaining content of the entry. `allowed` [bytes].
 std::string content_of_entry(archive* reader, std::int64_t allowed, const std::string& where) {
   std::string content;
   const void* block = nullptr;
@@ -95,24 +95,24 @@ std::string content_of_entry(archive* reader, std::int64_t allowed, const std::s
   return content;
 }
 
-/// The path of a file in the archive. Throws for what is none.
+/// Returns the path of a file in the archive. Throws for other entries.
 std::string path_of_entry(archive_entry* entry, const std::string& where) {
   const char* name = archive_entry_pathname(entry);
   const std::string path = name ? fs::path(name).lexically_normal().generic_string() : "";  // tar writes "./x"
   if (!stays_below(path))
     throw InputError(where, "holds a file of the name \"" + path + "\"", "paths in a recording lead nowhere else");
   if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry) || archive_entry_symlink(entry))
-    throw InputError(where, "holds \"" + path + "\", which is no regular file", kOtherFile);
+    throw InputError(where, "holds \"" + path + "\", which is not a regular file", kOtherFile);
   return path;
 }
 
-/// Makes a folder with those above it; adds to `made` what was not there.
+/// Creates a folder and its missing parents; appends the new ones to `made`.
 void make_folder(const fs::path& folder, std::vector<fs::path>& made) {
   std::error_code error;
   if (folder.empty() || fs::is_directory(folder, error)) return;
   make_folder(folder.parent_path(), made);
   if (fs::create_directory(folder, error)) return made.push_back(folder);
-  throw InputError(folder.string(), "cannot be made a folder: " + error.message(),
+  throw InputError(folder.string(), "cannot be created as a folder: " + error.message(),
                    "name a folder that may be written to");
 }
 
@@ -126,7 +126,7 @@ std::string pack_files(const FileTree& files, const std::string& where) {
   const Writer writer(archive_write_new(), archive_write_free);
   check(archive_write_set_format_pax_restricted(writer.get()), writer.get(), where);
   check(archive_write_add_filter_zstd(writer.get()), writer.get(), where);
-  archive_write_set_bytes_in_last_block(writer.get(), 1);  // no zeros behind the compressed stream
+  archive_write_set_bytes_in_last_block(writer.get(), 1);  // no padding after the compressed stream
   check(archive_write_open(writer.get(), &packed, nullptr, append_bytes, nullptr), writer.get(), where);
   for (const auto& [path, content] : files) add_file(writer.get(), path, content, where);
   check(archive_write_close(writer.get()), writer.get(), where);

@@ -14,7 +14,7 @@ std::string heading() {
   return line;
 }
 
-/// Takes the first line off `text`, without its end.
+/// Removes and returns the first line of `text`, without its end.
 std::string_view take_line(std::string_view& text) {
   const std::size_t end = text.find('\n');
   std::string_view line = text.substr(0, end);
@@ -23,7 +23,7 @@ std::string_view take_line(std::string_view& text) {
   return line;
 }
 
-/// Takes a number and what follows it off the row; false where there is none.
+/// Removes a number and its separator from the row. Returns false if there is none.
 template <class Whole>
 bool take_number(std::string_view& row, Whole& number, int base) {
   const auto [end, error] = std::from_chars(row.data(), row.data() + row.size(), number, base);
@@ -68,10 +68,10 @@ std::vector<StateHashes> hashes_from_csv(std::string_view text, const std::strin
   while (!text.empty()) {
     const std::size_t step = hashes.size();
     if (!read_row(take_line(text), step, hashes.emplace_back()))
-      throw InputError(where + ":" + std::to_string(step + 2), "is no row of hashes of step " + std::to_string(step),
-                       "take a recording that is as it was written");
+      throw InputError(where + ":" + std::to_string(step + 2), "is not a row of hashes of step " + std::to_string(step),
+                       "use an unchanged recording");
   }
-  if (hashes.empty()) throw InputError(where, "holds no hashes", "take a recording that is as it was written");
+  if (hashes.empty()) throw InputError(where, "holds no hashes", "use an unchanged recording");
   return hashes;
 }
 

@@ -8,11 +8,12 @@
 
 namespace griffith {
 
-/// A row a step, the first is step 0: its number and the hashes in hexadecimal, below the names of kStateFields.
+/// Returns one row per step, starting with step 0: its number and its hashes in hexadecimal, below a heading of
+/// kStateFields.
 std::string hashes_to_csv(const std::vector<StateHashes>& hashes);
 
-/// Reads that back. `where` names the text in errors, `program` what wrote it. Throws InputError where it has other
-/// columns, a row is damaged or out of order, and where there is none.
+/// Reads such a table. `where` names the text in errors, `program` the version that wrote it. Throws InputError for
+/// other columns, for rows that are damaged, out of order or missing.
 std::vector<StateHashes> hashes_from_csv(std::string_view text, const std::string& where, const std::string& program);
 
 }  // namespace griffith

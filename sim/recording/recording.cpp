@@ -19,13 +19,13 @@ namespace {
 constexpr char kScene[] = "scene.json", kInputs[] = "inputs.json", kHashes[] = "hashes.csv",
                kVersions[] = "versions.json", kAssets[] = "assets/";
 
-/// A recording's file and one of the files in it, as errors name them.
+/// Returns the name of a file in a recording's file for errors.
 std::string place_of(const std::filesystem::path& path, const std::string& member) {
   return path.string() + ": " + member;
 }
 
-/// The content of a file of the archive, which is taken out.
-/// `max_bytes`: text takes many times its size in memory when it is read.
+/// Removes a file from the archive and returns its content. `max_bytes`: text takes many times its size in memory when
+/// it is parsed.
 std::string take_member(FileTree& files, const std::string& name, std::size_t max_bytes,
                         const std::filesystem::path& path) {
   const auto found = files.find(name);
@@ -38,11 +38,11 @@ std::string take_member(FileTree& files, const std::string& name, std::size_t ma
   return std::move(files.extract(found).mapped());
 }
 
-/// A scene of somebody else's may not have this machine's files read for it.
+/// A scene from someone else must not read other files of this machine.
 void require_own_files(Scene& scene, const FileTree& assets, const std::string& where) {
   for (const std::filesystem::path* path : paths_in(scene)) {
     const std::string name = path->generic_string();
-    const auto inside = assets.lower_bound(name);  // itself, or what a folder holds
+    const auto inside = assets.lower_bound(name);  // the file itself, or content of the folder
     const bool held = inside != assets.end() && (inside->first == name || inside->first.starts_with(name + "/"));
     if (!held || !name.starts_with(kAssets))
       throw InputError(where, "names \"" + name + "\", which the recording does not hold",
@@ -50,7 +50,7 @@ void require_own_files(Scene& scene, const FileTree& assets, const std::string& 
   }
 }
 
-/// What World would take for a mistake of the program that uses it.
+/// Throws for inputs that World would take for errors of the program.
 void require_possible(const Recording& recording, const std::string& where) {
   const auto bodies = static_cast<int>(recording.scene.bodies.size());
   for (const WorldInput& input : recording.inputs) {
@@ -96,7 +96,7 @@ void write_recording(const Recording& recording, const std::filesystem::path& pa
 }
 
 Recording read_recording(const std::filesystem::path& path) {
-  constexpr std::string_view kZstd = "\x28\xb5\x2f\xfd";  // whatever the file's name
+  constexpr std::string_view kZstd = "\x28\xb5\x2f\xfd";  // recognized by content, not by name
   const std::string packed = read_file(path);
   if (!packed.starts_with(kZstd)) require_expected_content(path, packed);
   FileTree files = unpack_files(packed, path.string());

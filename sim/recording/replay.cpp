@@ -6,7 +6,7 @@
 namespace griffith {
 namespace {
 
-/// The recording's scene with its files in the folder.
+/// Returns the recording's scene with its files in the folder.
 Scene unpacked_scene(const Recording& recording, const std::filesystem::path& folder) {
   write_files(recording.assets, folder);
   Scene scene = recording.scene;
@@ -14,7 +14,7 @@ Scene unpacked_scene(const Recording& recording, const std::filesystem::path& fo
   return scene;
 }
 
-/// Also cancelled when the program is asked to end.
+/// Returns a monitor that also cancels when the program is asked to end.
 Monitor ending_with(const TemporaryFolder& folder, const Monitor& monitor) {
   return {monitor.stage, [&] { return folder.termination_requested() || monitor.is_cancelled(); }};
 }
@@ -46,7 +46,7 @@ void Replay::compare() {
     if (hashes[i] != recorded[i]) difference_->fields.push_back(kStateFields[i]);
 }
 
-/// Does what was done between this step and the next.
+/// Applies the inputs between this step and the next.
 void Replay::do_inputs() {
   const std::vector<WorldInput>& inputs = recording_.inputs;
   for (; inputs_done_ < inputs.size() && inputs[inputs_done_].step <= world_.frame().step; ++inputs_done_) {

@@ -12,27 +12,27 @@
 
 namespace griffith {
 
-/// Where a run first differs from its recording.
+/// First difference of a run from its recording.
 struct ReplayDifference {
-  std::int64_t step = 0;                 ///< 0: the start already
-  std::vector<std::string_view> fields;  ///< of kStateFields
+  std::int64_t step = 0;                 ///< 0: the start
+  std::vector<std::string_view> fields;  ///< different fields of kStateFields
 };
 
-/// Makes a recorded run again, from the recording alone.
+/// Repeats a recorded run from the recording alone.
 class Replay {
  public:
-  /// Unpacks the recording's files and builds the world. The recording must live as long as this. Throws InputError
-  /// where a file cannot be used, Cancelled when the monitor says so or the program is asked to end.
+  /// Unpacks the recording's files and builds the world. The recording must outlive this object. Throws InputError if a
+  /// file cannot be used, Cancelled if the monitor cancels or the program is asked to end.
   explicit Replay(const Recording& recording, const Monitor& monitor = {});
 
   const World& world() const { return world_; }
-  /// The recording's, with its files where they are unpacked.
+  /// Scene of the recording, with paths to the unpacked files.
   const Scene& scene() const { return scene_; }
   bool at_end() const { return world_.frame().step >= recording_.steps(); }
-  /// Makes the next step, which there must be, and does what was done after it. Throws InputError for an input that the
-  /// world refuses, Cancelled when the program is asked to end: so it leaves no files behind.
+  /// Computes the next step, which must exist, and applies the inputs after it. Throws InputError for an input that the
+  /// world refuses. Throws Cancelled if the program is asked to end, so that no files are left behind.
   void advance();
-  /// The first step so far that differs; nothing where all are equal.
+  /// First step so far that differs, if any.
   const std::optional<ReplayDifference>& difference() const { return difference_; }
 
  private:

@@ -30,7 +30,7 @@ std::string compiler() {
 #endif
 }
 
-/// The instructions that the compiler was allowed to use beside those of every processor of the kind.
+/// Returns the instruction sets that the compiler could use beyond those of every processor of the kind.
 std::string instruction_set() {
   std::string names = GRIFFITH_ARCHITECTURE;
   if (names.empty()) names = "the compiler's default";
@@ -87,12 +87,12 @@ Versions versions_from_json(std::string_view text, const std::string& where) {
   const Json json = Json::parse(text, nullptr, false);
   const auto is_text = [](const Json& value) { return value.is_string(); };
   if (!json.is_object() || !std::ranges::all_of(json, is_text))
-    throw InputError(where, "is no object of texts", "take a recording that is as it was written");
+    throw InputError(where, "is not an object of strings", "use an unchanged recording");
   Versions versions;
   for (const auto& [name, value] : json.items()) {
     std::string& shown = versions.emplace_back(name, value.get<std::string>()).second;
     std::ranges::replace_if(
-        shown, [](unsigned char c) { return c < ' ' || c == 0x7f; }, '?');  // somebody else's, for a terminal
+        shown, [](unsigned char c) { return c < ' ' || c == 0x7f; }, '?');  // text from a stranger, for a terminal
   }
   return versions;
 }

@@ -7,20 +7,21 @@
 
 namespace griffith {
 
-/// What made something, in words for people: names and values, such as {"compiler", "GCC 12.2.0"}.
+/// Versions as names and values for readers, such as {"compiler", "GCC 12.2.0"}.
 using Versions = std::vector<std::pair<std::string, std::string>>;
 
-/// This program, how it was built, its libraries, the processor and the operating system.
+/// Returns the versions of program, build, libraries, processor and operating system.
 Versions versions_here();
 
-/// The value of that name; empty where there is none.
+/// Returns the value of a name; empty if there is none.
 std::string version_of(const Versions& versions, std::string_view name);
 
-/// One JSON object of texts, and back. `where` names the text in errors. Throws InputError where it is none.
+/// Converts to a JSON object of strings, and back. `where` names the text in errors. Throws InputError for any other
+/// JSON.
 std::string versions_to_json(const Versions& versions);
 Versions versions_from_json(std::string_view text, const std::string& where);
 
-/// The rows of `here` in which the two differ, two lines each; empty where they are equal.
+/// Returns the rows of `here` in which the two differ, in two lines each. Empty if they are equal.
 std::string version_differences(const Versions& there, const Versions& here);
 
 }  // namespace griffith

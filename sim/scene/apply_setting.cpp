@@ -21,17 +21,17 @@ std::string unescaped(std::string_view token) {
   if (parent.is_array()) {
     const std::string items =
         parent.size() == 1 ? "has one item, 0" : "has items 0 to " + std::to_string(parent.size() - 1);
-    throw InputError(place, "is no item of the list", parent.empty() ? "the list is empty" : "the list " + items);
+    throw InputError(place, "is not an item of the list", parent.empty() ? "the list is empty" : "the list " + items);
   }
   if (!parent.is_object()) throw InputError(place, "leads into a single value", "end the pointer before it");
   if (parent.empty())
     throw InputError(place, "lies in a part that the scene does not have", "set the whole part, as JSON");
   std::vector<std::string_view> known;
   for (const auto& [name, value] : parent.items()) known.push_back(name);
-  throw InputError(place, "is no known field", suggestion(key, known));
+  throw InputError(place, "is not a known field", suggestion(key, known));
 }
 
-/// The child of `parent`, or null.
+/// Returns the child of `parent`, or null.
 template <class AnyJson>
 AnyJson* child_of(AnyJson& parent, const std::string& key) {
   if (parent.is_object()) {
@@ -44,7 +44,7 @@ AnyJson* child_of(AnyJson& parent, const std::string& key) {
   return good && index < parent.size() ? &parent[index] : nullptr;
 }
 
-/// The keys of an RFC 6901 pointer.
+/// Returns the keys of an RFC 6901 pointer.
 std::vector<std::string> pointer_keys(std::string_view pointer) {
   std::vector<std::string> keys;
   while (!pointer.empty()) {
@@ -63,7 +63,7 @@ Json& value_at(Json& document, const Json& in_full, const std::string& pointer, 
   std::string place;
   for (const std::string& key : pointer_keys(pointer)) {
     if (!value->is_structured() && full && full->is_structured()) *value = *full;
-    if (value->is_null()) *value = Json::object();  // an optional part that the scene does not have yet
+    if (value->is_null()) *value = Json::object();  // optional part that the scene does not have yet
     const Json* full_child = full ? child_of(*full, key) : nullptr;
     if (full_child && value->is_object() && !value->contains(key)) (*value)[key] = *full_child;
     place = json_pointer(place, key);
@@ -79,7 +79,7 @@ Json& value_at(Json& document, const Json& in_full, const std::string& pointer, 
 void apply(const SceneSetting& setting, Json& document, const Json& in_full, const std::string& file) {
   Json value = Json::parse(setting.value, nullptr, false);
   if (value.is_discarded())
-    throw InputError(json_place(file, setting.pointer), "is set to " + setting.value, "that is no JSON");
+    throw InputError(json_place(file, setting.pointer), "is set to " + setting.value, "that is not JSON");
   value_at(document, in_full, setting.pointer, file) = std::move(value);
 }
 

@@ -4,9 +4,9 @@
 
 namespace griffith {
 
-/// The turn about the fixed x, then y, then z axis [degrees].
+/// Returns the rotation about the fixed x, then y, then z axis [degrees].
 Quat rotation_of(const Vec3& degrees);
-/// Where a body's rest space stands in the world at the start.
+/// Returns the initial placement of a body's rest space in the world.
 Pose pose_of(const BodyDescription& body);
 
 }  // namespace griffith

@@ -8,12 +8,12 @@
 
 namespace griffith {
 
-/// The scene with the settings in place of the values that it has. Throws InputError, with `where` before the JSON
-/// pointer of the first problem, where the result is no valid scene. Mesh files are not looked for.
+/// Returns the scene with the settings applied. Throws InputError, with `where` before the JSON pointer of the first
+/// problem, if the result is not a valid scene. Does not check that mesh files exist.
 Scene edited(const Scene& scene, std::span<const SceneSetting> settings, const std::string& where = "scene");
 
-/// The JSON text of what the scene has at a JSON pointer (RFC 6901), defaults included; "" is the whole scene. Throws
-/// InputError where there is no such field.
+/// Returns the JSON text of the value at a JSON pointer (RFC 6901), defaults included; "" is the whole scene. Throws
+/// InputError if there is no such field.
 std::string value_of(const Scene& scene, const std::string& pointer, const std::string& where = "scene");
 
 }  // namespace griffith

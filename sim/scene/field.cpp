@@ -1,19 +1,15 @@
 #include "sim/scene/field.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <numeric>
+
+#include "sim/core/number_text.h"
 
 namespace griffith {
 namespace {
 
-std::string number_text(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
-
-/// Insertions, deletions and substitutions of a character that turn `a` into `b` (Levenshtein 1966).
+/// Returns the number of insertions, deletions and substitutions of a character that turn `a` into `b` (Levenshtein
+/// 1966).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), 0);
@@ -32,7 +28,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string range_text(const Numbers& numbers) {
-  std::string text = "from " + number_text(numbers.minimum) + " to " + number_text(numbers.maximum);
+  std::string text = "from " + rounded_text(numbers.minimum, 6) + " to " + rounded_text(numbers.maximum, 6);
   if (!numbers.unit.empty() && numbers.unit != "-") text += std::string(" ").append(numbers.unit);
   return text;
 }
@@ -47,7 +43,7 @@ std::string quoted_list(std::span<const std::string_view> names) {
 }
 
 std::string suggestion(std::string_view name, std::span<const std::string_view> known) {
-  // A longer name is a different word, not a slip; it also bounds the work.
+  // A longer name is a different word, not a typo. The limit also bounds the work.
   constexpr std::size_t kLongestSlip = 64;
   std::string_view best;
   std::size_t best_distance = std::max<std::size_t>(2, name.size() / 3) + 1;

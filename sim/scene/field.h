@@ -7,59 +7,62 @@
 
 namespace griffith {
 
-// What values a field of a scene takes. scene_fields.h gives one of these to every field; the reader, the writer, the
-// schema and the tests all follow it.
+// Permitted values of a scene's fields. scene_fields.h assigns one to every field. Reader, writer, schema and tests
+// follow from it.
 
-/// A number, or the components of a vector, in SI units.
+/// Number, or the components of a vector, in SI units.
 struct Numbers {
-  double minimum = 0, maximum = 0;  ///< both allowed
+  double minimum = 0, maximum = 0;  ///< both included
   std::string_view unit;            ///< "m/s"; "-" for a ratio, "" for a count
-  bool nonzero = false;             ///< of a vector: not all components are 0
-  bool ascending = false;           ///< of a pair: the first is less than the second
-  bool uniform = false;             ///< of a vector: one number may stand for all components
+  bool nonzero = false;             ///< vector: not all components are 0
+  bool ascending = false;           ///< pair: the first is less than the second
+  bool uniform = false;             ///< vector: one number may stand for all components
 };
 
 constexpr Numbers between(double minimum, double maximum, std::string_view unit = "") {
   return {.minimum = minimum, .maximum = maximum, .unit = unit};
 }
 
-/// Any text of at least `minimum_length` bytes.
+inline constexpr Numbers kPlace = between(-1e6, 1e6, "m");
+inline constexpr Numbers kDirection = {.minimum = -1e6, .maximum = 1e6, .unit = "-", .nonzero = true};
+
+/// Text of at least `minimum_length` bytes.
 struct Text {
   int minimum_length = 0;
 };
 
-/// A name that older files have, and what is written today.
+/// Old name of a value in older files, and its present name.
 struct RenamedValue {
   std::string_view old_name, name;
 };
 
-/// One of some names; for an enumeration `names[i]` belongs to the value i. Older names are read too, and noticed.
+/// One of several names. For an enumeration `names[i]` is the name of value i. Older names are read too, and noted.
 struct OneOf {
   std::vector<std::string_view> names;
   std::vector<RenamedValue> renamed = {};
 };
 
-/// true or false.
+/// True or false.
 struct Flag {};
 
-/// The file or folder of a mesh (or what else it names), which has to exist.
+/// File or folder of a mesh (or of `what`), which must exist.
 struct MeshPath {
   std::string_view what = "mesh";
 };
 
-/// A material: the name of a preset or of one of the scene's materials, or its properties.
+/// Material: the name of a preset or of one of the scene's materials, or its properties.
 struct MaterialChoice {};
 
-/// An object (or a list of objects) whose fields a describe() function lists.
+/// Object (or list of objects) whose fields a describe() function lists.
 struct Parts {};
 
-/// "from 0 to 1", "from 1 to 1e+13 Pa".
+/// Returns "from 0 to 1" or "from 1 to 1e+13 Pa".
 std::string range_text(const Numbers& numbers);
 
-/// "\"a\", \"b\"": names as an error message lists them.
+/// Returns "\"a\", \"b\"": names as listed in error messages.
 std::string quoted_list(std::span<const std::string_view> names);
 
-/// What to write instead of the unknown `name`: the known name that is spelled most alike, or all of them.
+/// Returns a replacement for the unknown `name`: the most similar known name, or all of them.
 std::string suggestion(std::string_view name, std::span<const std::string_view> known);
 
 }  // namespace griffith

@@ -9,19 +9,19 @@ namespace {
 
 constexpr std::size_t kMaxDepth = 64;
 constexpr std::size_t kMaxLine = 110;
-/// A few characters of text can take a hundred bytes of memory: what is read is limited while it is read. An array or
-/// object weighs as much as so many plain values.
+/// A few characters of text can take a hundred bytes of memory, so limits apply during reading. An array or object
+/// counts as several plain values.
 constexpr std::size_t kMaxWeight = 20'000'000, kStructureWeight = 8;
 constexpr std::size_t kMaxDuplicates = 1000;
 
-/// The parser's message without its number and without the position that stands in the error's place already.
+/// Returns the parser's message without its number and position, which the error has already.
 std::string plain_message(std::string message) {
   message.erase(0, message.find("] ") + 2);
   if (message.starts_with("parse error at")) message.erase(0, message.find(": ") + 2);
   return message;
 }
 
-/// Builds the document from the parser's events, so that duplicate keys and positions are seen.
+/// Builder of the document from the parser's events, which sees duplicate keys and positions.
 class DocumentBuilder : public nlohmann::json_sax<Json> {
  public:
   DocumentBuilder(std::string_view text, const std::string& file, std::vector<InputError>& problems)
@@ -88,8 +88,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
     weight_ += weight;
     if (weight_ <= kMaxWeight) return true;
     problems_.emplace_back(json_place(file_, pointer(std::min<std::size_t>(levels_.size(), 2))),
-                           "brings the file to more values than any scene or run has",
-                           "is it the file that was meant?");
+                           "brings the file to more values than any scene or run has", "is it the intended file?");
     return false;
   }
 
@@ -106,7 +105,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
     } else if (Level& level = levels_.back(); level.value.is_array()) {
       level.value.push_back(std::move(value));
     } else if (!level.duplicate) {
-      // The set of keys has shown that this one is new: no search through the object.
+      // The set of keys has shown that this one is new, so the object is not searched.
       level.value.get_ref<Json::object_t&>().push_back({level.key, std::move(value)});
     }
     return true;
@@ -143,7 +142,7 @@ std::string line_text(const Json& json) {
   return enclosed(json, text);
 }
 
-/// `used`: characters of the line that are taken before the value starts.
+/// `used`: characters of the line before the value.
 std::string block_text(const Json& json, std::size_t indentation, std::size_t used) {
   std::string line = line_text(json);
   if (!json.is_structured() || (used + line.size() <= kMaxLine && indentation > 0)) return line;

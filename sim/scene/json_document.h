@@ -1,6 +1,6 @@
 #pragma once
 
-// For the .cpp files of this folder alone: nothing else sees the JSON library.
+// For the .cpp files of this folder only, so that the JSON library stays hidden.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -11,19 +11,19 @@
 
 namespace griffith {
 
-/// Keeps the order of an object's fields.
+/// JSON with the order of an object's fields kept.
 using Json = nlohmann::ordered_json;
 
-/// The document in `text`. Malformed text, numbers too large for a double, and nesting beyond any scene are reported at
-/// file:line:column and end the reading (the result is then null); duplicate keys are reported at file#/pointer.
+/// Returns the document in `text`. Malformed text, numbers too large for a double, and excessive nesting are reported
+/// at file:line:column and end the reading (the result is then null). Duplicate keys are reported at file#/pointer.
 Json parse_json(std::string_view text, const std::string& file, std::vector<InputError>& problems);
 
-/// `pointer` with `key` appended, escaped as RFC 6901 demands.
+/// Returns `pointer` with `key` appended, escaped according to RFC 6901.
 std::string json_pointer(std::string_view pointer, std::string_view key);
-/// `file#/pointer`, or `file` for the document as a whole.
+/// Returns `file#/pointer`, or `file` for the document as a whole.
 std::string json_place(const std::string& file, const std::string& pointer);
 
-/// Indented text with what fits on a line on one line. Throws InputError when a string is not UTF-8.
+/// Returns indented text, with short values on one line. Throws InputError if a string is not UTF-8.
 std::string pretty_text(const Json& json);
 
 }  // namespace griffith

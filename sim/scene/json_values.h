@@ -1,6 +1,6 @@
 #pragma once
 
-// For the .cpp files of this folder alone: nothing else sees the JSON library.
+// For the .cpp files of this folder only, so that the JSON library stays hidden.
 
 #include <cstdint>
 #include <filesystem>
@@ -13,7 +13,7 @@
 
 namespace griffith {
 
-// The JSON of a plain value, as the writer and the schema's defaults show it.
+// JSON of plain values, for the writer and the schema's defaults.
 Json value_json(bool value, Flag);
 Json value_json(int value, const Numbers& numbers);
 Json value_json(std::int64_t value, const Numbers& numbers);
@@ -37,7 +37,8 @@ requires std::is_enum_v<Enum> Result value_json(const std::vector<Enum>& values,
   return array;
 }
 
-/// A whole number without a decimal point where that is exact, else the shortest text that reads back as this double.
+/// Returns a whole number without a decimal point if that is exact, else the shortest text that reads back as this
+/// double.
 Json number_json(double value);
 
 }  // namespace griffith

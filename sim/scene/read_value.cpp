@@ -14,7 +14,7 @@ bool in_range(const Json& json, const Numbers& numbers) {
   return json.is_number() && json.get<double>() >= numbers.minimum && json.get<double>() <= numbers.maximum;
 }
 
-/// Reports the components that are no numbers of the range, each at its own place.
+/// Reports components that are not numbers of the range, each at its own place.
 bool check_components(const Place& place, const Numbers& numbers) {
   const std::size_t before = place.document.problems.size();
   for (std::size_t i = 0; i < place.json.size(); ++i) {
@@ -47,7 +47,7 @@ void read_vector(const Place& place, Eigen::Matrix<double, N, 1, Options>& value
   value = vector;
 }
 
-/// What has to be there for the mesh at `path`: itself, both files of a folder, or both of TetGen's pair.
+/// Returns the files that the mesh at `path` needs: itself, both files of a folder, or both of TetGen's pair.
 std::vector<std::filesystem::path> files_of_mesh(const std::filesystem::path& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) return {path / "verts.csv", path / "tets.csv"};
@@ -57,8 +57,8 @@ std::vector<std::filesystem::path> files_of_mesh(const std::filesystem::path& pa
           std::filesystem::path(path).replace_extension(".ele")};
 }
 
-/// False, and reported, where no regular file is there or a link leads out of its folder to one: a path says where it
-/// leads, a link that came with a scene does not.
+/// Returns false after a report if there is no regular file, or if a link leads to one outside its folder. A path
+/// shows its target, but a link in a scene from a stranger does not.
 bool is_usable(const Place& place, MeshPath kind, const std::filesystem::path& file) {
   std::error_code ignored;
   const std::string shown = "\"" + file.generic_string() + "\"";
@@ -67,7 +67,7 @@ bool is_usable(const Place& place, MeshPath kind, const std::filesystem::path& f
     place.report(names + "there is no " + shown,
                  "put it there or correct the path, which starts at the scene file's folder");
   } else if (!std::filesystem::is_regular_file(file, ignored)) {
-    place.report(names + shown + " is no regular file",
+    place.report(names + shown + " is not a regular file",
                  "put it there or correct the path, which starts at the scene file's folder");
   } else if (!is_within(file.parent_path(), file)) {
     place.report(names + shown + " is a link that leads out of its folder",

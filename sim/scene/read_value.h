@@ -1,6 +1,6 @@
 #pragma once
 
-// For the .cpp files of this folder alone: nothing else sees the JSON library.
+// For the .cpp files of this folder only, so that the JSON library stays hidden.
 
 #include <cstdint>
 #include <filesystem>
@@ -20,17 +20,17 @@
 
 namespace griffith {
 
-/// What the parts of a document share while it is read.
+/// Shared state of reading a document.
 struct Document {
-  std::string file;              ///< as errors name it
-  std::filesystem::path folder;  ///< relative mesh paths start here
+  std::string file;              ///< name of the file in errors
+  std::filesystem::path folder;  ///< start of relative mesh paths
   bool look_for_meshes = true;
-  std::map<std::string, Material, std::less<>> materials;  ///< the scene's own, by name
+  std::map<std::string, Material, std::less<>> materials;  ///< materials of the scene, by name
   std::vector<InputError> problems;
-  std::vector<InputError> outdated;  ///< names that are read, but are others today
+  std::vector<InputError> outdated;  ///< old names that were read
 };
 
-/// A value of the document and where it stands.
+/// Value of the document and its place.
 struct Place {
   Document& document;
   const Json& json;
@@ -38,12 +38,11 @@ struct Place {
 
   Place child(std::string_view key, const Json& value) const { return {document, value, json_pointer(pointer, key)}; }
   void report(std::string problem, std::string remedy) const;
-  /// Reports that the value is not what was `expected`.
+  /// Reports that the value is not the `expected` one.
   void reject(const std::string& expected) const;
 };
 
-// Each read() takes the plain value that stands at a place, or reports what would be right there and leaves `value`
-// with anything that it may hold.
+// Each read() reads the value at a place, or reports the permitted values and leaves `value` in any valid state.
 void read(const Place& place, bool& value, Flag);
 void read(const Place& place, double& value, const Numbers& numbers);
 void read(const Place& place, int& value, const Numbers& numbers);
@@ -56,10 +55,10 @@ void read(const Place& place, std::string& value, const Text& text);
 void read(const Place& place, std::string& value, const OneOf& one_of);
 void read(const Place& place, std::filesystem::path& value, MeshPath);
 
-/// The index in `names` of the name that stands here, or -1, reported.
+/// Returns the index in `names` of the name at the place, or -1 after a report.
 int read_name(const Place& place, std::span<const std::string_view> names, std::span<const RenamedValue> renamed = {});
 
-/// The indices in `names` of the array of names that stands here; nothing where one is unknown, reported.
+/// Returns the indices in `names` of the array of names at the place; none after a report of an unknown one.
 std::optional<std::vector<int>> read_names(const Place& place, std::span<const std::string_view> names);
 
 template <class Enum>
@@ -68,7 +67,7 @@ void read(const Place& place, Enum& value, const OneOf& one_of) {
   if (const int index = read_name(place, one_of.names, one_of.renamed); index >= 0) value = static_cast<Enum>(index);
 }
 
-/// A list of names, each of them once or more.
+/// Reads a list of names, each of them once or more.
 template <class Enum>
 requires std::is_enum_v<Enum>
 void read(const Place& place, std::vector<Enum>& values, const OneOf& one_of) {

@@ -7,7 +7,7 @@
 
 namespace griffith {
 
-/// Part of a body, in the body's rest space (before its position and rotation are applied) [m].
+/// Part of a body, in the body's rest space (before position and rotation) [m].
 struct BoxRegion {
   Vec3 minimum = Vec3::Zero(), maximum = Vec3::Zero();
   bool operator==(const BoxRegion&) const = default;
@@ -17,7 +17,7 @@ struct SphereRegion {
   double radius = 0;
   bool operator==(const SphereRegion&) const = default;
 };
-/// The points x with dot(x − point, normal) >= 0.
+/// Points x with dot(x − point, normal) >= 0.
 struct HalfSpaceRegion {
   Vec3 point = Vec3::Zero(), normal = Vec3::UnitY();
   bool operator==(const HalfSpaceRegion&) const = default;
@@ -29,7 +29,7 @@ struct NodeListRegion {
 };
 using Region = std::variant<BoxRegion, SphereRegion, HalfSpaceRegion, NodeListRegion>;
 
-/// Whether the node at rest position `point` with index `node` lies in the region. Boundaries belong to it, with a
+/// True if the node at rest position `point` with index `node` lies in the region. Boundaries are included, with a
 /// tolerance of `tolerance` [m].
 bool contains(const Region& region, const Vec3& point, int node, double tolerance);
 

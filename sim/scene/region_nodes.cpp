@@ -5,7 +5,7 @@
 namespace griffith {
 
 std::vector<std::uint8_t> nodes_in(const Region& region, std::span<const Vec3> points, std::span<const int> numbers) {
-  constexpr double kTolerance = 1e-9;  // of the body's size
+  constexpr double kTolerance = 1e-9;  // relative to the body's size
   Eigen::AlignedBox3d bounds;
   for (const Vec3& point : points) bounds.extend(point);
   const double tolerance = kTolerance * bounds.diagonal().norm();

@@ -13,7 +13,7 @@
 namespace griffith {
 namespace {
 
-/// Whether both have the same members, or as many items of which some are no numbers.
+/// True if both have the same members, or as many items of which some are not numbers.
 bool differs_within(const Json& before, const Json& after) {
   if (before.type() != after.type() || before.size() != after.size()) return false;
   if (after.is_array()) return std::ranges::any_of(after, [](const Json& item) { return item.is_structured(); });
@@ -37,7 +37,7 @@ void add_differences(const Json& before, const Json& after, const std::string& p
   }
 }
 
-/// True for items that all have names, each its own.
+/// True for items that all have different names.
 bool has_named_items(const Json& list) {
   std::vector<std::string> names;
   for (const Json& item : list) {
@@ -49,7 +49,7 @@ bool has_named_items(const Json& list) {
   return names.size() == items;
 }
 
-/// Compares what two scenes have at a place; null where one has nothing there.
+/// Comparison of two scenes at a place; null where one has no value.
 class FieldComparison {
  public:
   void compare(const Json* before, const Json* after, const std::string& pointer) {
@@ -125,7 +125,7 @@ Scene with_settings(const Scene& scene, std::span<const SceneSetting> settings, 
   Scene result = scene_from_json(document.dump(), where, scene.folder);
   result.folder = scene.folder;
   const auto is_of_library = [](const SceneSetting& setting) { return setting.pointer.starts_with("/materials"); };
-  if (std::ranges::none_of(settings, is_of_library)) result.materials = scene.materials;  // without those of bodies
+  if (std::ranges::none_of(settings, is_of_library)) result.materials = scene.materials;  // without settings of bodies
   return result;
 }
 

@@ -10,27 +10,27 @@
 
 namespace griffith {
 
-/// The settings that make `before` into `after`, each as deep in the scene as it can be: single numbers, but all
-/// components of a vector, and all of a list of which the length has changed. Empty where both are written alike.
+/// Returns the settings that turn `before` into `after`, each as deep in the scene as possible: single numbers, but all
+/// components of a vector, and all items of a list whose length has changed. Empty if both are written alike.
 std::vector<SceneSetting> settings_between(const Scene& before, const Scene& after);
 
-/// A field in which two scenes differ.
+/// Field that differs between two scenes.
 struct FieldChange {
-  std::string pointer;                       ///< JSON pointer, of the later scene where it has the field
-  std::optional<std::string> before, after;  ///< as JSON; absent where that scene has no such field
+  std::string pointer;                       ///< JSON pointer, in the later scene if it has the field
+  std::optional<std::string> before, after;  ///< values as JSON; absent if that scene has no such field
 
   bool operator==(const FieldChange&) const = default;
 };
 
-/// The scene as JSON text with every field, also those that have their defaults, to be compared later.
+/// Returns the scene as JSON text with every field, including defaults, for later comparison.
 std::string full_scene_text(const Scene& scene);
 
-/// The fields in which two full_scene_text()s differ, of whatever versions of the program: single numbers, but whole
-/// vectors. Items of lists that have names are compared by these. Throws InputError for what is no JSON.
+/// Returns the fields that differ between two full_scene_text()s, of any versions of the program: single numbers, but
+/// whole vectors. Named items of lists are compared by name. Throws InputError if a text is not JSON.
 std::vector<FieldChange> field_changes(const std::string& before, const std::string& after);
 
-/// The scene with these settings, none within another. Throws InputError, which names `where`, for a field that the
-/// scene does not have and for a value that a scene file could not have there.
+/// Returns the scene with these settings, none within another. Throws InputError, which names `where`, for an unknown
+/// field and for a value that a scene file could not have there.
 Scene with_settings(const Scene& scene, std::span<const SceneSetting> settings, const std::string& where);
 
 }  // namespace griffith

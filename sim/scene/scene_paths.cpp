@@ -3,7 +3,7 @@
 namespace griffith {
 namespace {
 
-/// The path of the alternative that is held, where it has one.
+/// Adds the path of the held alternative if it has one.
 template <class Variant>
 void add_path(Variant& held, std::vector<std::filesystem::path*>& paths) {
   std::visit(

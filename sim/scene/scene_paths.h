@@ -7,7 +7,8 @@
 
 namespace griffith {
 
-/// All paths in the scene that a world is built from files by: of bodies, splinters and projectiles, in this order.
+/// Returns all paths in the scene to files that a world is built from: of bodies, splinters and projectiles, in this
+/// order.
 std::vector<std::filesystem::path*> paths_in(Scene& scene);
 
 }  // namespace griffith

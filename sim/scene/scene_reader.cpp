@@ -35,7 +35,7 @@ void read(const Place& place, std::optional<T>& value, const Values& values) {
 
 // --- Objects --------------------------------------------------------------------------------------------------------
 
-/// The archive that fills a value from an object; fields that the object lacks keep what the value had.
+/// Archive that fills a value from an object. Fields that the object lacks keep their values.
 class ObjectReader {
  public:
   explicit ObjectReader(const Place& place) : place_(place), problems_before_(place.document.problems.size()) {}
@@ -61,25 +61,25 @@ class ObjectReader {
     }
   }
 
-  /// Judges only what was read without a problem: a value that was refused has left its default behind.
+  /// Checks only fields that were read without a problem, since a rejected value leaves its default.
   void require(bool holds, std::string_view name, const char* problem, const char* remedy) {
     if (holds || place_.document.problems.size() > problems_before_) return;
     const Json* json = find(name);
     (json ? place_.child(name, *json) : place_).report(json ? problem : std::string(name) + " " + problem, remedy);
   }
 
-  /// The field's value, if there; from now on it counts as known.
+  /// Returns the field's value, if present, and marks it as known.
   const Json* find(std::string_view name) {
     known_.push_back(name);
     const auto found = place_.json.find(name);
     return found == place_.json.end() ? nullptr : &*found;
   }
 
-  /// Call last: reports fields that nobody asked for, and a choice that was not made.
+  /// Reports unknown fields, and a missing choice. To be called last.
   void finish() {
     for (const auto& [name, value] : place_.json.items()) {
       if (std::ranges::find(known_, name) != known_.end()) continue;
-      place_.child(name, value).report("is no known field", suggestion(name, known_));
+      place_.child(name, value).report("is not a known field", suggestion(name, known_));
     }
     if (has_alternatives_ && alternatives_found_ != 1 && place_.document.problems.size() == problems_before_) {
       place_.report("has " + std::to_string(alternatives_found_) + " of the fields " + quoted_list(known_),
@@ -118,11 +118,11 @@ void check_names(const Place& place, const std::vector<T>& items) {
 
 template <class T>
 void read(const Place& place, std::vector<T>& items, Parts parts) {
-  // A kilobyte each, before anything is made of them; inputs of a long run may be many.
+  // A kilobyte each is checked before any is created; inputs of a long run may be many.
   constexpr std::size_t kMaxItems = std::is_same_v<T, WorldInput> ? 250'000 : 10'000;
   if (!place.json.is_array()) return place.reject("an array [ ... ]");
   constexpr const char* kTooMany = kMaxItems == 10'000 ? "has more than 10,000 items" : "has more than 250,000 items";
-  if (place.json.size() > kMaxItems) return place.report(kTooMany, "take fewer");
+  if (place.json.size() > kMaxItems) return place.report(kTooMany, "use fewer");
   items.assign(place.json.size(), T{});
   for (std::size_t i = 0; i < items.size(); ++i) {
     read(place.child(std::to_string(i), place.json[i]), items[i], parts);
@@ -167,7 +167,7 @@ void read(const Place& place, Material& material, MaterialChoice) {
   }
 }
 
-/// The scene's own materials, by name, for its bodies to use.
+/// Reads the scene's own materials, by name, for its bodies.
 void read_materials(const Place& scene, ObjectReader& reader) {
   const Json* json = reader.find("materials");
   if (!json) return;
@@ -193,7 +193,7 @@ void read_materials(const Place& scene, ObjectReader& reader) {
 
 // --- The document ---------------------------------------------------------------------------------------------------
 
-/// Whether the document is of this program's format; if not, its fields mean nothing to it.
+/// True if the document has this program's format. Otherwise its fields have no known meaning.
 bool check_version(const Place& place, ObjectReader& reader) {
   const Json* json = reader.find("version");
   if (!json) {
@@ -226,7 +226,7 @@ Scene read_root(Document& document, const Json& json) {
   return scene;
 }
 
-/// What the scene in `json` is in full; problems are left to who reads it after the settings.
+/// Returns the scene of `json` in full. Its problems are reported after the settings are applied.
 Json in_full(const Document& document, const Json& json) {
   Document trial;
   trial.file = document.file;
@@ -235,8 +235,8 @@ Json in_full(const Document& document, const Json& json) {
   return scene_in_full(read_root(trial, json));
 }
 
-/// The document in `text` with the settings; null where the text is none. Throws InputError when a setting's field is
-/// not there or its value no JSON.
+/// Returns the document in `text` with the settings; null if the text is not JSON. Throws InputError for an unknown
+/// field or a value that is not JSON.
 Json document_json(Document& document, std::string_view text, std::span<const SceneSetting> settings) {
   Json json = parse_json(text, document.file, document.problems);
   if (json.is_null() && !document.problems.empty()) return json;
@@ -252,7 +252,7 @@ Scene read_document(Document& document, std::string_view text, std::span<const S
   return nothing;
 }
 
-/// The inputs of a document, which holds materials of its own as a scene does.
+/// Returns the inputs of a document, which holds its own materials as a scene does.
 std::vector<WorldInput> read_inputs(Document& document, std::string_view text) {
   std::vector<WorldInput> inputs;
   const Json json = parse_json(text, document.file, document.problems);
@@ -269,7 +269,7 @@ std::vector<WorldInput> read_inputs(Document& document, std::string_view text) {
   return inputs;
 }
 
-/// Scenes name large meshes, and do not hold them.
+/// Scenes name large meshes, but do not contain them.
 constexpr std::int64_t kMaxBytes = 16 << 20;
 
 Document document_of_file(const std::filesystem::path& path) {

@@ -79,7 +79,7 @@ template <class T>
 Json default_of(const std::optional<T>& value, const Numbers& numbers) {
   return value ? value_json(*value, numbers) : Json();
 }
-/// An object's defaults stand at its fields.
+/// Returns no default, since an object's defaults are at its fields.
 template <class T>
 Json default_of(const T&, Parts) {
   return Json::object();
@@ -97,7 +97,7 @@ Json default_of(const Region&, Parts) { return {{"box", Json::object()}}; }
 Json default_of(const ProbePlace&, Parts) { return {{"point", {0, 0, 0}}}; }
 Json default_of(const Material&, MaterialChoice) { return "brick"; }
 
-/// The archive that makes an object's schema of a value with its defaults.
+/// Archive that makes an object's schema from a value with its defaults.
 class ObjectSchema {
  public:
   template <class T, class Values>

@@ -4,9 +4,9 @@
 
 namespace griffith {
 
-/// The JSON Schema (2020-12) of scene files, made from the table that the reader follows: scenes/scene.schema.json.
-/// Editors complete and check scenes by it. It cannot say what the reader checks besides: names that differ, meshes
-/// that exist, and requirements between two fields.
+/// Returns the JSON Schema (2020-12) of scene files, scenes/scene.schema.json, made from the table that the reader
+/// follows. Text editors use it to complete and check scenes. It cannot express further checks of the reader: unique
+/// names, existing meshes, and conditions between two fields.
 std::string scene_schema();
 
 }  // namespace griffith

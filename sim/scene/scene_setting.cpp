@@ -12,14 +12,14 @@ std::string scene_pointer(const std::string& text, const std::string& where) {
   std::string pointer = text.starts_with("#") ? text.substr(1) : text;
   if (!pointer.starts_with("/")) pointer.insert(0, "/");
   if (pointer.size() < 2 || pointer.find("//") != std::string::npos || pointer.ends_with("/"))
-    throw InputError(where, "\"" + text + "\" is no pointer to a field", "write it as bodies/0/material/density");
+    throw InputError(where, "\"" + text + "\" is not a pointer to a field", "write it as bodies/0/material/density");
   return pointer;
 }
 
 std::string setting_value(const std::string& word) {
   const Json value = Json::parse(word, nullptr, false);
   if (value.is_discarded()) return Json(word).dump(-1, ' ', false, Json::error_handler_t::replace);
-  std::string line = word;  // between JSON's values line breaks are but blanks
+  std::string line = word;  // line breaks between JSON's values are mere blanks
   std::ranges::replace_if(
       line, [](char c) { return c == '\n' || c == '\r'; }, ' ');
   return line;
@@ -35,7 +35,7 @@ std::string setting_word(const std::string& value) {
 SceneSetting read_setting(const std::string& text, const std::string& where) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals + 1 == text.size())
-    throw InputError(where, "\"" + text + "\" says no value", "write POINTER=VALUE, as projectiles/0/speed=30");
+    throw InputError(where, "\"" + text + "\" has no value", "write POINTER=VALUE, as projectiles/0/speed=30");
   return {scene_pointer(text.substr(0, equals), where), setting_value(text.substr(equals + 1))};
 }
 

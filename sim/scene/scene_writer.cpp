@@ -14,10 +14,10 @@
 namespace griffith {
 namespace {
 
-/// The scene's own materials: those of its bodies as these are written, then those that no body has.
+/// Materials of the scene: those of its bodies as they are written, then the unused ones.
 struct Library {
   std::vector<Material> materials;
-  bool in_full = false;  ///< no field is left out, no material given by name, no vector by one number
+  bool in_full = false;  ///< no omitted field, material by name, or vector as one number
 };
 
 template <class T>
@@ -43,7 +43,7 @@ Json write(Library& library, const std::vector<T>& items, Parts parts) {
 
 Json write(Library& library, const Material& material, MaterialChoice);
 
-/// The archive that makes an object of a value.
+/// Archive that makes an object from a value.
 class ObjectWriter {
  public:
   explicit ObjectWriter(Library& library) : library_(library) {}
@@ -90,7 +90,7 @@ requires(!kIsOptional<T>) Json write(Library& library, const T& value, Parts) {
   return object;
 }
 
-/// By name where that says everything; else the properties, in the scene's own materials if the name is free there.
+/// Writes a name if that is complete; else the properties, among the scene's materials if the name is free there.
 Json write(Library& library, const Material& material, MaterialChoice) {
   if (library.in_full) return described(library, material).object;
   for (const MaterialPreset& preset : material_presets()) {
@@ -115,7 +115,7 @@ Json library_json(const Library& library) {
   return object;
 }
 
-/// Those whose name no body has taken for another.
+/// Adds materials whose name no body uses for another.
 void add_others(Library& library, const std::vector<Material>& materials) {
   for (const Material& material : materials)
     if (std::ranges::find(library.materials, material.name, &Material::name) == library.materials.end())

@@ -9,10 +9,10 @@
 
 namespace griffith {
 
-// What a body is made in: all centred on the body's origin, except a file, which has its own. Lengths are in
-// metres and > 0; element sizes are wanted ones, rounded so that the cells fill the shape.
+// Shapes of bodies, centered on the body's origin, except files, which have their own. Lengths are in meters and > 0.
+// Element sizes are targets, rounded so that the cells fill the shape.
 
-/// A box of equal cells.
+/// Box of equal cells.
 struct BoxShape {
   Vec3 size = Vec3::Ones();                 ///< edge lengths
   Vec3 element_size = Vec3::Constant(0.5);  ///< cell edge along x, y, z
@@ -20,7 +20,7 @@ struct BoxShape {
   bool operator==(const BoxShape&) const = default;
 };
 
-/// A cylinder about the z axis.
+/// Cylinder about the z axis.
 struct CylinderShape {
   double radius = 0.5, length = 2;
   Vec2 element_size = Vec2::Constant(0.25);  ///< across, along the axis
@@ -28,7 +28,7 @@ struct CylinderShape {
   bool operator==(const CylinderShape&) const = default;
 };
 
-/// A disc across the z axis, as in a Brazilian test.
+/// Disc normal to the z axis, as in a Brazilian test.
 struct DiscShape {
   double radius = 0.5, thickness = 0.2;
   Vec2 element_size = Vec2::Constant(0.1);  ///< across, through the thickness
@@ -43,7 +43,7 @@ struct SphereShape {
   bool operator==(const SphereShape&) const = default;
 };
 
-/// A plate with a round hole through its middle along z; cells shrink towards the hole.
+/// Plate with a round hole through its center along z. Cells shrink toward the hole.
 struct PlateWithHoleShape {
   Vec3 size = Vec3(2, 2, 0.1);
   double hole_radius = 0.2;                 ///< less than half the smaller of size.x and size.y
@@ -52,7 +52,8 @@ struct PlateWithHoleShape {
   bool operator==(const PlateWithHoleShape&) const = default;
 };
 
-/// A box with a slit of no width in the plane x = 0, from the side y = −size.y/2 up, as in a three-point bending test.
+/// Box with a slit of zero width in the plane x = 0, from the side y = −size.y/2 upward, as in a three-point bending
+/// test.
 struct NotchedBeamShape {
   Vec3 size = Vec3(4, 1, 0.5);
   double notch_depth = 0.3;                  ///< less than size.y
@@ -61,17 +62,17 @@ struct NotchedBeamShape {
   bool operator==(const NotchedBeamShape&) const = default;
 };
 
-/// A tetrahedral mesh from a file; for the CSV pair the folder that holds verts.csv and tets.csv.
+/// Tetrahedral mesh from a file; for the CSV pair the folder that holds verts.csv and tets.csv.
 struct MeshFileShape {
-  std::filesystem::path path;  ///< as written in the scene; relative paths start at the scene file's folder
-  double scale = 1;            ///< metres per unit of the file, > 0
+  std::filesystem::path path;  ///< as written in the scene; relative to the scene file's folder
+  double scale = 1;            ///< meters per unit of the file, > 0
   bool operator==(const MeshFileShape&) const = default;
 };
 
-/// A closed surface from a file, to be filled with tets.
+/// Closed surface from a file, to be filled with tets.
 struct SurfaceShape {
-  std::filesystem::path path;  ///< as written in the scene; relative paths start at the scene file's folder
-  double scale = 1;            ///< metres per unit of the file, > 0
+  std::filesystem::path path;  ///< as written in the scene; relative to the scene file's folder
+  double scale = 1;            ///< meters per unit of the file, > 0
   MeshingOptions meshing;
   bool operator==(const SurfaceShape&) const = default;
 };

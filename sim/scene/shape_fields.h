@@ -5,11 +5,11 @@
 #include "sim/scene/field.h"
 #include "sim/scene/shape.h"
 
-// The fields of shapes, a part of the table in scene_fields.h.
+// Fields of shapes, a part of the table in scene_fields.h.
 
 namespace griffith {
 
-/// More cells than this in the box round a shape are refused: a slip of the element size, not a wish.
+/// Largest number of cells in the box around a shape. More are taken for a mistake in the element size.
 inline constexpr double kMaxShapeCells = 2e6;
 
 inline constexpr Numbers kLength = between(1e-4, 1e5, "m");
@@ -17,13 +17,13 @@ inline constexpr Numbers kElementSize = {.minimum = 1e-5, .maximum = 1e5, .unit 
 
 template <class Archive>
 void describe_pattern(Archive& archive, BoxPattern& pattern) {
-  archive.field("pattern", pattern, OneOf{{"kuhn", "five_tet", "bcc"}}, "How a cell is cut into tetrahedra");
+  archive.field("pattern", pattern, OneOf{{"kuhn", "five_tet", "bcc"}}, "Division of a cell into tetrahedra");
 }
 
-/// Cell edges along x, y, z of a shape that is swept along z.
+/// Returns cell edges along x, y, z of a shape that is swept along z.
 inline Vec3 swept(const Vec2& element_size) { return {element_size.x(), element_size.x(), element_size.y()}; }
 
-/// Cells in the box round a shape, whose edges are `extent` [m].
+/// Returns the number of cells in the box around a shape, whose edges are `extent` [m].
 inline double cells_in(const Vec3& extent, const Vec3& element_size) {
   return (extent.array() / element_size.array()).round().max(1).prod();
 }
@@ -52,7 +52,7 @@ inline double tets_per_cell(BoxPattern pattern) {
   return 0;
 }
 
-/// About how many tets a shape is made of; 0 for one whose file tells. At most the tets of the box round it.
+/// Returns about the number of tets of a shape, at most that of the box around it; 0 if it depends on a file.
 inline double tet_count(const Shape& shape) {
   const auto count = [](const auto& known) -> double {
     if constexpr (requires { cell_count(known); }) {
@@ -67,14 +67,14 @@ inline double tet_count(const Shape& shape) {
 template <class Archive, class AnyShape>
 void require_few_cells(Archive& archive, const AnyShape& shape) {
   archive.require(cell_count(shape) <= kMaxShapeCells, "element_size", "cuts the shape into more than 2 million cells",
-                  "take a larger element_size or a smaller shape");
+                  "use a larger element_size or a smaller shape");
 }
 
 template <class Archive>
 void describe(Archive& archive, BoxShape& box) {
   archive.field("size", box.size, kLength, "Edge lengths along x, y, z");
   archive.field("element_size", box.element_size, kElementSize,
-                "Wanted cell edge, one number or one each for x, y, z; rounded to fit the box");
+                "Target cell edge, one number or one each for x, y, z; rounded to fit the box");
   describe_pattern(archive, box.pattern);
   require_few_cells(archive, box);
 }
@@ -84,7 +84,7 @@ void describe(Archive& archive, CylinderShape& cylinder) {
   archive.field("radius", cylinder.radius, kLength, "Radius");
   archive.field("length", cylinder.length, kLength, "Length along z");
   archive.field("element_size", cylinder.element_size, kElementSize,
-                "Wanted cell edge, one number or one each for across and along the axis");
+                "Target cell edge, one number or one each for across and along the axis");
   describe_pattern(archive, cylinder.pattern);
   require_few_cells(archive, cylinder);
 }
@@ -94,7 +94,7 @@ void describe(Archive& archive, DiscShape& disc) {
   archive.field("radius", disc.radius, kLength, "Radius");
   archive.field("thickness", disc.thickness, kLength, "Thickness along z");
   archive.field("element_size", disc.element_size, kElementSize,
-                "Wanted cell edge, one number or one each for across and through the thickness");
+                "Target cell edge, one number or one each for across and through the thickness");
   describe_pattern(archive, disc.pattern);
   require_few_cells(archive, disc);
 }
@@ -103,7 +103,7 @@ template <class Archive>
 void describe(Archive& archive, SphereShape& sphere) {
   archive.field("radius", sphere.radius, kLength, "Radius");
   archive.field("element_size", sphere.element_size, between(kElementSize.minimum, kElementSize.maximum, "m"),
-                "Wanted cell edge");
+                "Target cell edge");
   describe_pattern(archive, sphere.pattern);
   require_few_cells(archive, sphere);
 }
@@ -113,10 +113,10 @@ void describe(Archive& archive, PlateWithHoleShape& plate) {
   archive.field("size", plate.size, kLength, "Edge lengths along x, y, z");
   archive.field("hole_radius", plate.hole_radius, kLength, "Radius of the hole along z");
   archive.field("element_size", plate.element_size, kElementSize,
-                "Wanted cell edge, one number or one each for the plate's edge and its thickness");
+                "Target cell edge, one number or one each for the plate's edge and its thickness");
   describe_pattern(archive, plate.pattern);
   archive.require(plate.hole_radius < std::min(plate.size.x(), plate.size.y()) / 2, "hole_radius",
-                  "reaches the plate's edge", "take less than half the plate's smaller side");
+                  "reaches the plate's edge", "use less than half the plate's smaller side");
   require_few_cells(archive, plate);
 }
 
@@ -125,10 +125,10 @@ void describe(Archive& archive, NotchedBeamShape& beam) {
   archive.field("size", beam.size, kLength, "Edge lengths along x, y, z");
   archive.field("notch_depth", beam.notch_depth, kLength, "Depth of the slit in the plane x = 0, from below");
   archive.field("element_size", beam.element_size, kElementSize,
-                "Wanted cell edge, one number or one each for x, y, z; rounded to fit the beam");
+                "Target cell edge, one number or one each for x, y, z; rounded to fit the beam");
   describe_pattern(archive, beam.pattern);
   archive.require(beam.notch_depth < beam.size.y(), "notch_depth", "cuts the beam through",
-                  "take less than the beam's height, size[1]");
+                  "use less than the beam's height, size[1]");
   require_few_cells(archive, beam);
 }
 
@@ -136,7 +136,7 @@ template <class Archive>
 void describe(Archive& archive, MeshFileShape& mesh) {
   archive.field("path", mesh.path, MeshPath{},
                 "Mesh file, or the folder that holds verts.csv and tets.csv; relative to the scene file's folder");
-  archive.field("scale", mesh.scale, between(1e-9, 1e6), "Metres per unit of the file");
+  archive.field("scale", mesh.scale, between(1e-9, 1e6), "Meters per unit of the file");
 }
 
 template <class Archive>
@@ -144,34 +144,34 @@ void describe(Archive& archive, SurfaceShape& surface) {
   MeshingOptions& meshing = surface.meshing;
   archive.field("path", surface.path, MeshPath{},
                 "Surface: .obj, .stl, .ply, .off, .gltf or .glb; relative to the scene file's folder");
-  archive.field("scale", surface.scale, between(1e-9, 1e6), "Metres per unit of the file");
+  archive.field("scale", surface.scale, between(1e-9, 1e6), "Meters per unit of the file");
   archive.field("element_size", meshing.element_size, between(kElementSize.minimum, kElementSize.maximum, "m"),
-                "Wanted edge of a tetrahedron; null: a twentieth of the bounding box's diagonal");
+                "Target edge of tetrahedra; null: a twentieth of the bounding box's diagonal");
   archive.field(
       "method", meshing.method, OneOf{{"automatic", "tetgen", "volumetric"}},
-      "TetGen keeps the surface's triangles and needs a sound surface; volumetric takes any, with equal elements; "
-      "automatic: TetGen where it can");
+      "TetGen keeps the surface's triangles and needs a sound surface; volumetric accepts any, with equal elements; "
+      "automatic: TetGen if possible");
   archive.field("grading", meshing.grading, between(1, 100),
-                "How many times longer edges may be deep inside (volumetric: 2, 4, 8, ...)");
+                "Largest ratio of inner edges to surface edges (volumetric: 2, 4, 8, ...)");
   archive.field("radius_edge_ratio", meshing.radius_edge_ratio, between(1.1, 10),
-                "TetGen: most circumradius over shortest edge");
+                "TetGen: largest circumradius over shortest edge");
   archive.field("min_dihedral_angle", meshing.min_dihedral_angle, between(0, 18, "degrees"),
-                "TetGen: smallest angle between two faces that it works for");
+                "TetGen: smallest dihedral angle that it aims at");
 }
 
 template <class Archive>
 void describe(Archive& archive, Shape& shape) {
-  archive.template alternative<BoxShape>("box", shape, Parts{}, "A box centred on the body's origin");
-  archive.template alternative<CylinderShape>("cylinder", shape, Parts{}, "A cylinder about the z axis");
-  archive.template alternative<DiscShape>("disc", shape, Parts{}, "A disc across the z axis, as in a Brazilian test");
-  archive.template alternative<SphereShape>("sphere", shape, Parts{}, "A ball");
+  archive.template alternative<BoxShape>("box", shape, Parts{}, "Box centered on the body's origin");
+  archive.template alternative<CylinderShape>("cylinder", shape, Parts{}, "Cylinder about the z axis");
+  archive.template alternative<DiscShape>("disc", shape, Parts{}, "Disc normal to the z axis, as in a Brazilian test");
+  archive.template alternative<SphereShape>("sphere", shape, Parts{}, "Sphere");
   archive.template alternative<PlateWithHoleShape>("plate_with_hole", shape, Parts{},
-                                                   "A plate with a round hole through its middle along z");
+                                                   "Plate with a round hole through its center along z");
   archive.template alternative<NotchedBeamShape>("notched_beam", shape, Parts{},
-                                                 "A box with a slit of no width from below, across its length");
-  archive.template alternative<MeshFileShape>("mesh", shape, Parts{}, "A tetrahedral mesh from a file");
+                                                 "Box with a slit of zero width from below, across its length");
+  archive.template alternative<MeshFileShape>("mesh", shape, Parts{}, "Tetrahedral mesh from a file");
   archive.template alternative<SurfaceShape>("surface", shape, Parts{},
-                                             "A surface from a file, to be filled with tetrahedra");
+                                             "Surface from a file, to be filled with tetrahedra");
 }
 
 }  // namespace griffith

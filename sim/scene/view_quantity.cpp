@@ -6,7 +6,7 @@ namespace griffith {
 
 std::span<const ViewQuantity> view_quantities() {
   static constexpr std::array<ViewQuantity, 19> kQuantities = {{
-      {"utilization", "load over resistance", "-"},
+      {"utilization", "utilization", "-"},
       {"von_mises", "von Mises stress", "Pa"},
       {"max_principal_stress", "largest principal stress", "Pa", true},
       {"mid_principal_stress", "middle principal stress", "Pa", true},
@@ -19,7 +19,7 @@ std::span<const ViewQuantity> view_quantities() {
       {"speed", "speed", "m/s"},
       {"element_quality", "element quality", "-"},
       {"crack_age", "age of crack faces", "s"},
-      {"plain", "nothing", ""},
+      {"plain", "plain", ""},
       {"material", "material", ""},
       {"body", "body", ""},
       {"tet", "element", ""},
@@ -33,28 +33,27 @@ std::span<const ViewLayerInfo> view_layers() {
   static constexpr std::array<ViewLayerInfo, 13> kLayers = {{
       {"stress_axes", "Principal stress axes",
        "A line along each axis of every element's stress: red tension, blue "
-       "compression, as long as the stress is large."},
+       "compression, with a length proportional to the stress."},
       {"stress_ellipsoids", "Stress ellipsoids",
-       "Every element's stress as a ball stretched along its axes: red where "
+       "Every element's stress as an ellipsoid along its axes: red where "
        "tension prevails, blue where compression does."},
       {"separation_axes", "Separation axes",
-       "The eigenvectors of every node's separation tensor; the top one, normal of "
-       "the candidate plane, in the colour of its utilization."},
+       "The eigenvectors of every node's separation tensor; the largest one, normal of "
+       "the candidate plane, in the color of its utilization."},
       {"velocities", "Velocities", "An arrow at every surface node."},
-      {"contacts", "Contacts", "A dot where things touched in the last step, and the impulse as an arrow."},
+      {"contacts", "Contacts", "A dot at each contact in the last step, and its impulse as an arrow."},
       {"fracture_planes", "Fracture planes", "The planes of the last cracks as discs with their normals."},
       {"candidate_plane", "Candidate plane",
-       "The plane across which the chosen node would separate, and which of its "
-       "elements lie on either side; without a choice, at the most loaded node."},
+       "The plane across which the selected node would separate, and its elements "
+       "on either side; without a selection, at the most loaded node."},
       {"element_forces", "Element forces",
-       "What each element does to the chosen node: tensile force red, compressive "
-       "blue; without a choice, at the most loaded node."},
-      {"body_frames", "Body frames", "Centre of mass and axes of every piece."},
-      {"collision_shapes", "Collision shapes", "The convex parts that stand for every piece in contacts."},
-      {"supports", "Supports",
-       "Nodes that are held: boxes fixed, discs sliding, arrows prescribed; and the reactions."},
+       "Forces of each element on the selected node: tensile red, compressive "
+       "blue; without a selection, at the most loaded node."},
+      {"body_frames", "Body frames", "Center of mass and axes of every piece."},
+      {"collision_shapes", "Collision shapes", "The convex parts that represent every piece in contacts."},
+      {"supports", "Supports", "Supported nodes: boxes fixed, discs sliding, arrows prescribed; and the reactions."},
       {"loads", "Loads", "The force of the loads on each node."},
-      {"probes", "Probes", "Where probes measure."},
+      {"probes", "Probes", "Places of the probes."},
   }};
   return kLayers;
 }

@@ -15,15 +15,15 @@ NodesOfSides nodes_of(const Solid& solid, const CrackSides& crack) {
   return sides;
 }
 
-/// How the sides of four cracks lie to each other, where the first of each has its centre.
+/// Gaps between the sides of four cracks at the center of the first side of each.
 struct FourGaps {
-  FourVectors normals;                 ///< unit, out of the first sides
-  std::array<DoubleLanes, 3> weights;  ///< of the second sides' corners
-  DoubleLanes clear;                   ///< how near they may come to each other without pressing [m]
+  FourVectors normals;                 ///< unit normals out of the first sides
+  std::array<DoubleLanes, 3> weights;  ///< weights of the second sides' corners
+  DoubleLanes clear;                   ///< distance that they may still approach without contact [m]
   DoubleMask are_pressing;
 };
 
-/// The first sides' corners are counter-clockwise seen from outside.
+/// The corners of the first sides are counterclockwise seen from outside.
 FourGaps gaps_between(const FourSides& first, const FourSides& second) {
   FourGaps gaps;
   const FourVectors area = DoubleLanes{0.5, 0.5, 0.5, 0.5} * double_areas(first);
@@ -44,8 +44,8 @@ FourGaps gaps_between(const FourSides& first, const FourSides& second) {
 
 }  // namespace
 
-/// The sides of a crack that close on each other meet without rebound, at the centre of the first, so that no torque is
-/// made. Those that have slid further apart are left to the contacts of whole pieces.
+/// Stops the closing sides of a crack without rebound, at the center of the first, so that no torque arises. Sides that
+/// have slid apart are left to the contacts of whole pieces.
 void Impacts::close_cracks(Solid& solid) {
   std::array<WatchedCrack*, simd::kDoubleLanes> four;
   int count = 0;
@@ -70,7 +70,7 @@ void Impacts::close_cracks(Solid& solid) {
   if (count > 0) close();
 }
 
-/// `normal`: out of the first side; `weights`: of the second side's corners, where the centre of the first is.
+/// `normal`: out of the first side; `weights`: those of the second side's corners at the center of the first.
 void Impacts::push_apart(Solid& solid, const NodesOfSides& sides, const Vec3& normal, const Vec3& weights) {
   const auto opening_speed = [&] {
     double speed = 0;
@@ -90,7 +90,7 @@ void Impacts::push_apart(Solid& solid, const NodesOfSides& sides, const Vec3& no
     push_node(solid, sides.first[i], impulse / 3);
     push_node(solid, sides.second[i], -weights[i] * impulse);
   }
-  // Where both sides end in one node, at the front, they do not part: more speed is left than the others lost.
+  // If both sides end in one node, at the front, they do not separate: more speed is left than the others lost.
   lost_ += 0.5 * speed / mobility * (speed + opening_speed());
 }
 

@@ -18,17 +18,17 @@ void write_forces(const ElementBlock& block, const Matrix p, Lanes stress, Quad*
     scatter(f[corner][0], f[corner][1], f[corner][2], stress, forces + corner + 1, 4);
 }
 
-/// What the work density of elastic strains counts with: those of slivers are a share of the strains over which
-/// stresses work.
+/// Returns the factor of the work density of elastic strains. Those of slivers are a fraction of the strains in which
+/// stresses do work.
 Lanes weight_of(const ElementBlock& block) {
-  return block.stiffness > all(0) ? block.volume / block.stiffness : all(0);
+  return block.stiffness > broadcast(0) ? block.volume / block.stiffness : broadcast(0);
 }
 
-/// Adds the work of the call before; `rate` is that of the present one.
+/// Adds the work of the preceding call; `rate` is that of the present one.
 void measure(const BlockLaw& law, const ElementBlock& block, const Symmetric rate, float viscosity, ViscousWork& work) {
   Symmetric both;
   for (int e = 0; e < 6; ++e) both[e] = work.rate[e] + rate[e];
-  work.work += all(0.5F * viscosity) * weight_of(block) * work_density(law, work.rate, both);
+  work.work += broadcast(0.5F * viscosity) * weight_of(block) * work_density(law, work.rate, both);
   for (int e = 0; e < 6; ++e) work.rate[e] = rate[e];
 }
 
@@ -44,16 +44,16 @@ void force_elements_of(const BlockLaw& law, ElementBlock& block, const WideQuad*
     green_strain(h, strain);
   }
   for (int e = 0; e < 6; ++e) strain[e] = block.stiffness * (strain[e] - block.offset[e]);
-  const Lanes largest = at_least(largest_stress(law, strain), 0);
+  const Lanes largest = max(largest_stress(law, strain), 0);
   for (int e = 0; e < 6; ++e) {
     rate[e] = strain[e] - block.strain[e];
     block.strain[e] = strain[e];
-    strain[e] += all(law.viscosity) * rate[e];
+    strain[e] += broadcast(law.viscosity) * rate[e];
   }
   measure(law, block, rate, viscosity, work);
-  const Lanes pressure = all(law.lambda) * (strain[0] + strain[1] + strain[2]);
+  const Lanes pressure = broadcast(law.lambda) * (strain[0] + strain[1] + strain[2]);
   for (int e = 0; e < 6; ++e) {
-    stress[e] = all(2 * law.mu) * strain[e];
+    stress[e] = broadcast(2 * law.mu) * strain[e];
     if (e < 3) stress[e] += pressure;
     stress[e] *= block.volume;
   }
@@ -73,11 +73,11 @@ void force_elements(const BlockLaw& law, ElementBlock& block, const WideQuad* di
 }
 
 Lanes work_of_last(const BlockLaw& law, const ElementBlock& block, const ViscousWork& work) {
-  return all(0.5F * law.viscosity) * weight_of(block) * work_density(law, work.rate, work.rate);
+  return broadcast(0.5F * law.viscosity) * weight_of(block) * work_density(law, work.rate, work.rate);
 }
 
 void settle_elements(const BlockLaw& law, ElementBlock& block, const WideQuad* displacements) {
-  constexpr int kNewtonSteps = 8;  // quadratic: far more than turns of some degrees need
+  constexpr int kNewtonSteps = 8;  // quadratic convergence: many more than rotations of some degrees need
   Matrix h, frame;
   displacement_gradient(block, displacements, h);
   if (law.model == ElementModel::corotational) {
@@ -89,9 +89,9 @@ void settle_elements(const BlockLaw& law, ElementBlock& block, const WideQuad* d
   }
   for (int e = 0; e < 6; ++e) {
     const Lanes total = block.strain[e], elastic = total - block.offset[e];
-    const Lanes softer = block.stiffness > all(0) ? total - elastic / block.stiffness : all(0);
-    block.offset[e] = block.stiffness < all(1) ? softer : block.offset[e];
-    block.strain[e] = block.stiffness > all(0) ? elastic : all(0);
+    const Lanes softer = block.stiffness > broadcast(0) ? total - elastic / block.stiffness : broadcast(0);
+    block.offset[e] = block.stiffness < broadcast(1) ? softer : block.offset[e];
+    block.strain[e] = block.stiffness > broadcast(0) ? elastic : broadcast(0);
   }
 }
 

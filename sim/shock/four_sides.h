@@ -5,7 +5,7 @@
 #include "sim/core/lane_vectors.h"
 #include "sim/shock/solid.h"
 
-// Triangles of the solid's surface four side by side.
+// Triangles of the solid's surface, four side by side.
 
 namespace griffith::shock {
 
@@ -13,10 +13,10 @@ using simd::DoubleLanes;
 using simd::DoubleMask;
 using FourVectors = simd::Vector3<DoubleLanes>;
 
-/// The places of corners a, b and c of four triangles [m].
+/// Positions of corners a, b and c of four triangles [m].
 using FourSides = std::array<FourVectors, 3>;
 
-/// The triangles of these nodes, which are asked for by lane.
+/// Returns the triangles of these nodes, given per lane.
 template <class NodesOf>
 FourSides four_sides(const Solid& solid, NodesOf nodes_of) {
   const std::array<std::array<int, 3>, 4> nodes = {nodes_of(0), nodes_of(1), nodes_of(2), nodes_of(3)};
@@ -27,11 +27,11 @@ FourSides four_sides(const Solid& solid, NodesOf nodes_of) {
   return sides;
 }
 
-/// Twice the area vectors [m²].
+/// Returns twice the area vectors [m²].
 inline FourVectors double_areas(const FourSides& sides) { return cross(sides[1] - sides[0], sides[2] - sides[0]); }
 
-/// The barycentric weights of where points project into triangles. `across`: their double_areas(), `square`: the
-/// squared length of these.
+/// Returns the barycentric weights of the projections of points onto triangles. `across`: their double_areas(),
+/// `square`: the squared length of these.
 inline std::array<DoubleLanes, 3> weights_in(const FourSides& sides, const FourVectors& across,
                                              const DoubleLanes& square, const FourVectors& points) {
   const auto& [a, b, c] = sides;
@@ -40,8 +40,8 @@ inline std::array<DoubleLanes, 3> weights_in(const FourSides& sides, const FourV
   return {u, v, 1.0 - u - v};
 }
 
-/// How far points that project to where a weight is `beyond` less than it may be are from getting there: sides turn
-/// about their edges [m].
+/// Returns the distance to the triangle of points whose projection misses the limit of a weight by `beyond`: sides
+/// rotate about their edges [m].
 inline DoubleLanes distance_beyond(const FourSides& sides, const DoubleLanes& square, const DoubleLanes& beyond) {
   constexpr double kFraction = 0.5;
   const auto squared_length = [](const FourVectors& v) { return dot(v, v); };

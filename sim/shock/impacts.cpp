@@ -16,18 +16,18 @@ namespace {
 
 /// Rounds of impulses over all touches of a microstep.
 constexpr int kRounds = 4;
-/// What of the reach of candidates things may use up before they get into a fresh crack.
+/// Fraction of the candidates' reach that objects may use up before they can enter a new crack.
 constexpr double kReachOfCracks = 0.25;
-/// Candidates are listed for about so many microsteps, within an edge length.
+/// Number of microsteps for which candidates are listed, within an edge length.
 constexpr double kMicrostepsOfCandidates = 24;
-/// Edge of the boxes that places are sorted into to find candidates, in edge lengths of elements. So few are not
-/// sorted.
+/// Edge of the boxes in the search for candidates, in edge lengths of elements, and the number of positions below which
+/// sorting does not pay.
 constexpr double kGridEdge = 0.5;
 constexpr std::size_t kFewPlaces = 64;
-/// What a candidate takes in a microstep, half of them being too far away to be looked at, and a touch [µs].
+/// Work of a candidate in a microstep, half of them being too far away to be examined, and of a touch [µs].
 constexpr double kCandidateWork = 0.012, kTouchWork = 0.3;
 
-/// How high the tet behind a side is over it, undeformed [m].
+/// Returns the undeformed height of the tet behind a side over it [m].
 double height_behind(const Solid& solid, const SurfaceSide& side) {
   const std::array<int, 3> nodes = solid.nodes_of_side(side.slot, side.face);
   const Vec3 a = solid.reference(nodes[0]);
@@ -45,8 +45,8 @@ Eigen::AlignedBox3d box_of(const Solid& solid, const SurfaceSide& side) {
   return box;
 }
 
-/// Whether an obstacle may be no further than `margin` from something in that box: by the sphere round it, or by the
-/// faces of what has none.
+/// True if an obstacle may be within `margin` of an object in that box: by its bounding sphere, or by its faces if it
+/// has none.
 bool may_be_near(const Obstacle& obstacle, const Eigen::AlignedBox3d& box, double margin) {
   const Pose& pose = obstacle.state.pose;
   if (std::isfinite(obstacle.radius)) {
@@ -60,7 +60,7 @@ bool may_be_near(const Obstacle& obstacle, const Eigen::AlignedBox3d& box, doubl
   });
 }
 
-/// Per family, the box round all others, where `boxes` are those round each.
+/// Returns, per family, the box around all others. `boxes`: those around each family.
 std::vector<Eigen::AlignedBox3d> boxes_of_others(std::span<const Eigen::AlignedBox3d> boxes) {
   std::vector<Eigen::AlignedBox3d> others(boxes.size());
   Eigen::AlignedBox3d before, after;
@@ -89,7 +89,7 @@ Impacts::Impacts(const Solid& solid, std::span<const SurfaceSide> surface, std::
 }
 
 void Impacts::add_side(const Solid& solid, const SurfaceSide& side) {
-  constexpr double kDeepest = 0.5;  // of the height behind: what is beyond a thin sheet does not lie behind its side
+  constexpr double kDeepest = 0.5;  // of the height behind, so that objects beyond a thin sheet are excluded
   surface_.push_back({side, kDeepest * height_behind(solid, side)});
 }
 
@@ -100,7 +100,7 @@ void Impacts::open(const Solid& solid, const CrackSides& sides) {
   };
   add(sides.first_slot, sides.first_corners);
   add(sides.second_slot, sides.second_corners);
-  // Nothing is between them yet: it has to get there.
+  // The new crack is still empty; objects have to get there first.
   listed_until_ = std::min(listed_until_, travelled_ + kReachOfCracks * margin_);
 }
 
@@ -116,7 +116,7 @@ Impacts::BoxedSurface Impacts::boxed_surface(const Solid& solid) const {
   return {std::move(sides), PointGrid(centers, grid_edge(centers.size(), element_size_)), largest};
 }
 
-/// The sides that may be near an obstacle, in the order of the surface.
+/// Returns the sides that may be near an obstacle, in the order of the surface.
 std::vector<Impacts::BoxedSide> Impacts::sides_near(const Obstacle& obstacle, const BoxedSurface& surface) const {
   std::vector<BoxedSide> near;
   const auto take = [&](int index) {
@@ -151,8 +151,8 @@ void Impacts::list_near_obstacle(const Solid& solid, const Obstacle& obstacle, c
     list_near_part(solid, obstacle, part, sides, nodes, candidates);
 }
 
-/// Lists, of the sides near an obstacle and their nodes, the nodes that are near one of its parts, and that part's
-/// samples near the sides.
+/// Lists, from the sides near an obstacle and their nodes, the nodes near one of its parts, and that part's samples
+/// near the sides.
 void Impacts::list_near_part(const Solid& solid, const Obstacle& obstacle, int part, std::span<const BoxedSide> sides,
                              std::span<const int> nodes, Candidates& candidates) const {
   const ConvexSolid& convex = obstacle.solids[part];
@@ -175,7 +175,7 @@ int Impacts::family_of(const Solid& solid, const SurfaceSide& side) const {
   return surfaces_[solid.body_of_slot(side.slot)].family;
 }
 
-/// The listed sides that may be near bodies of other families.
+/// Returns the listed sides that may be near bodies of other families.
 std::vector<Impacts::BoxedSide> Impacts::sides_near_others(const Solid& solid,
                                                            std::span<const BoxedSide> surface) const {
   std::vector<int> families;
@@ -196,7 +196,7 @@ std::vector<Impacts::BoxedSide> Impacts::sides_near_others(const Solid& solid,
   return near;
 }
 
-/// Nodes near sides of other bodies.
+/// Lists nodes near sides of other bodies.
 void Impacts::list_pairs(const Solid& solid, std::span<const BoxedSide> surface) {
   const std::vector<BoxedSide> sides = sides_near_others(solid, surface);
   std::vector<int> nodes;
@@ -211,7 +211,7 @@ void Impacts::list_pairs(const Solid& solid, std::span<const BoxedSide> surface)
   }
   const PointGrid grid(places, grid_edge(places.size(), element_size_));
   const Vec3 reach = Vec3::Constant(margin_);
-  std::vector<std::pair<int, int>> found;  // of `nodes` and `sides`
+  std::vector<std::pair<int, int>> found;  // pairs of indices into `nodes` and `sides`
   parallel_collect(
       static_cast<int>(sides.size()), found, [&](int begin, int end, std::vector<std::pair<int, int>>& near) {
         for (int i = begin; i < end; ++i) {
@@ -230,7 +230,7 @@ void Impacts::list_pairs(const Solid& solid, std::span<const BoxedSide> surface)
   for (const auto& [index, side] : found) pairs_[starts[index]++] = {{}, nodes[index], sides[side].side};
 }
 
-/// `displacement`: that two things may come nearer to each other in a microstep [m].
+/// `displacement`: possible approach of two objects in a microstep [m].
 void Impacts::list_candidates(const Solid& solid, double displacement) {
   margin_ = std::clamp(kMicrostepsOfCandidates * displacement, 0.25 * element_size_, element_size_);
   for (const Obstacle& obstacle : obstacles_)
@@ -283,7 +283,7 @@ void Impacts::resolve(Solid& solid, double dt, double min_speed) {
     for (const int index : order_) any |= push(solid, touches_[index], dt, min_speed);
   }
   if (!touches_.empty())
-    travelled_ += std::max(0.0, dt * closing_speed(solid) - displacement);  // pushes may throw things back
+    travelled_ += std::max(0.0, dt * closing_speed(solid) - displacement);  // impulses may throw objects back
   if (!cracks_.empty()) close_cracks(solid);
   record_pushed(solid);
 }

@@ -6,7 +6,7 @@
 namespace griffith::shock {
 namespace {
 
-/// Slower approaches are rounding [m/s].
+/// Slower approaches are rounding errors [m/s].
 constexpr double kNegligibleSpeed = 1e-9;
 
 Vec3 force_on(const Solid& solid, int node) { return solid.acceleration(node) / solid.node(node).inverse_mass; }
@@ -51,15 +51,15 @@ void Impacts::take_back(Solid& solid, const Touch& touch, const Vec3& impulse, d
                       : shift(touch.other_node, -impulse);
 }
 
-/// A push stops the approach and takes back the overlap, as far as the last motion at that speed made it: forces that
-/// press two surfaces together would else let them creep into each other step by step, and waves lose their energy.
+/// Stops the approach and reverts the overlap, as far as the last motion at that speed caused it. Otherwise forces that
+/// press two surfaces together would let them creep into each other step by step, and waves lose their energy.
 bool Impacts::push(Solid& solid, Touch& touch, double dt, double min_speed) {
   const Vec3 velocity = approach_of(solid, touch);
   const double speed = -velocity.dot(touch.normal);
   if (speed <= kNegligibleSpeed) return false;
   const double mobility = mobility_of(solid, touch, touch.normal);
   if (mobility == 0) return false;
-  Vec3 impulse = -speed / mobility * touch.normal;  // on the solid
+  Vec3 impulse = -speed / mobility * touch.normal;  // impulse on the solid
   const Vec3 sliding = velocity + speed * touch.normal;
   const double slip = sliding.norm();
   if (slip > 0) {
@@ -68,8 +68,8 @@ bool Impacts::push(Solid& solid, Touch& touch, double dt, double min_speed) {
   }
   act(solid, touch, impulse);
   Vec3 after = approach_of(solid, touch);
-  // Friction and the levers of light things may turn a push into a gain: then it goes no further than where it takes
-  // most.
+  // Friction and the lever arms of light objects may turn an impulse into a gain of energy. It is then reduced to the
+  // size of the largest loss.
   if (impulse.dot(velocity + after) < 0) {
     const double fraction = impulse.dot(velocity) / impulse.dot(velocity - after);
     act(solid, touch, (fraction - 1) * impulse);
@@ -104,9 +104,9 @@ void Impacts::shift_node(Solid& solid, int node, const Vec3& displacement) {
   pushed(solid, node).displacement += displacement;
 }
 
-/// The forces of a microstep worked at the mean of the velocities before and after them. Their work over the way that a
-/// node really went is that less their work over what its velocities say beyond its way: half of what pushes changed
-/// after the last motion, and half of what was taken back of the next.
+/// The forces of a microstep do work at the mean of the velocities before and after them. Their work over the actual
+/// motion of a node is that, less their work over the difference between velocity and motion: half of the velocity
+/// changes by impulses after the last motion, and half of the reverted part of the next.
 void Impacts::record_pushed(const Solid& solid) {
   for (const Pushed& pushed : pushed_)
     if (!pushed.displacement.isZero(0)) lost_ += 0.5 * force_on(solid, pushed.node).dot(pushed.displacement);

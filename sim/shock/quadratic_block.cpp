@@ -6,7 +6,7 @@
 namespace griffith::shock {
 namespace {
 
-/// H_v = F_v − I of the corners: that of the corners' displacements alone, and 4 w ⊗ g of the edges.
+/// Computes H_v = F_v − I of the corners: that of the corners' displacements, and 4 w ⊗ g of the edges.
 void corner_gradients(const ElementBlock& block, const QuadraticBlock& quadratic,
                       const QuadraticDisplacements& displacements, Matrix whole, Matrix h[4]) {
   displacement_gradient(block, displacements.nodes, whole);
@@ -26,7 +26,7 @@ void corner_gradients(const ElementBlock& block, const QuadraticBlock& quadratic
     Lanes offset[3];
     transpose(rows, offset);
     for (int i = 0; i < 3; ++i) {
-      const Lanes w = all(4) * offset[i];
+      const Lanes w = broadcast(4) * offset[i];
       for (int j = 0; j < 3; ++j) {
         h[p][i][j] += w * g[q][j];
         h[q][i][j] += w * g[p][j];
@@ -35,18 +35,19 @@ void corner_gradients(const ElementBlock& block, const QuadraticBlock& quadratic
   }
 }
 
-/// Strains at the corners, the frame less the identity that they have in common, and K = RᵀF − I of each.
+/// Computes the strains at the corners, their common frame less the identity, and K = RᵀF − I of each.
 void corotational_strains(const Matrix whole, const Matrix h[4], Lanes rotation[4], Matrix frame, Matrix k[4],
                           Symmetric strains[4]) {
   follow_rotation(whole, rotation);
   rotation_less_identity(rotation, frame);
   for (int v = 0; v < 4; ++v) {
     stretch(frame, h[v], k[v]);
-    for (int e = 0; e < 6; ++e) strains[v][e] = all(0.5F) * (k[v][kRow[e]][kColumn[e]] + k[v][kColumn[e]][kRow[e]]);
+    for (int e = 0; e < 6; ++e)
+      strains[v][e] = broadcast(0.5F) * (k[v][kRow[e]][kColumn[e]] + k[v][kColumn[e]][kRow[e]]);
   }
 }
 
-/// V/20 times the sum of the work densities of the corners and that of their sums.
+/// Returns V/20 times the sum of the work densities of the corners and that of their sums.
 Lanes corner_work(const BlockLaw& law, const ElementBlock& block, const Symmetric a[4], const Symmetric b[4]) {
   Symmetric sum_a = {}, sum_b = {};
   Lanes sum = {};
@@ -54,7 +55,7 @@ Lanes corner_work(const BlockLaw& law, const ElementBlock& block, const Symmetri
     sum += work_density(law, a[v], b[v]);
     for (int e = 0; e < 6; ++e) sum_a[e] += a[v][e], sum_b[e] += b[v][e];
   }
-  return all(0.05F) * block.volume * (sum + work_density(law, sum_a, sum_b));
+  return broadcast(0.05F) * block.volume * (sum + work_density(law, sum_a, sum_b));
 }
 
 void measure(const BlockLaw& law, const ElementBlock& block, const Symmetric rates[4], float viscosity,
@@ -62,28 +63,29 @@ void measure(const BlockLaw& law, const ElementBlock& block, const Symmetric rat
   Symmetric both[4];
   for (int v = 0; v < 4; ++v)
     for (int e = 0; e < 6; ++e) both[v][e] = quadratic.rate[v][e] + rates[v][e];
-  work.work += all(0.5F * viscosity) * corner_work(law, block, quadratic.rate, both);
+  work.work += broadcast(0.5F * viscosity) * corner_work(law, block, quadratic.rate, both);
   for (int v = 0; v < 4; ++v)
     for (int e = 0; e < 6; ++e) quadratic.rate[v][e] = rates[v][e];
 }
 
-/// V/20 (σ_v + Σ σ) of strains.
+/// Replaces strains by V/20 (σ_v + Σ σ).
 void weighted_stresses(const BlockLaw& law, Lanes volume, Symmetric s[4]) {
   Symmetric sum = {};
   for (int v = 0; v < 4; ++v) {
-    const Lanes pressure = all(law.lambda) * (s[v][0] + s[v][1] + s[v][2]);
+    const Lanes pressure = broadcast(law.lambda) * (s[v][0] + s[v][1] + s[v][2]);
     for (int e = 0; e < 6; ++e) {
-      s[v][e] *= all(2 * law.mu);
+      s[v][e] *= broadcast(2 * law.mu);
       if (e < 3) s[v][e] += pressure;
       sum[e] += s[v][e];
     }
   }
-  const Lanes weight = all(0.05F) * volume;
+  const Lanes weight = broadcast(0.05F) * volume;
   for (int v = 0; v < 4; ++v)
     for (int e = 0; e < 6; ++e) s[v][e] = weight * (s[v][e] + sum[e]);
 }
 
-/// What the frame's turning adds (turning_traction() of quadratic_element.cpp), to first order in the strain.
+/// Adds the contribution of the rotating frame (turning_traction() of quadratic_element.cpp), to first order in the
+/// strain.
 void add_turning(const Matrix frame, const Matrix k[4], const Symmetric s[4], Matrix total) {
   const auto moment = [&](int i, int j) {
     Lanes sum = {};
@@ -91,7 +93,7 @@ void add_turning(const Matrix frame, const Matrix k[4], const Symmetric s[4], Ma
       for (int l = 0; l < 3; ++l) sum += k[v][i][l] * s[v][kEntry[l][j]];
     return sum;
   };
-  const Lanes half = all(0.5F), zero = {};
+  const Lanes half = broadcast(0.5F), zero = {};
   const Lanes z0 = half * (moment(1, 2) - moment(2, 1)), z1 = half * (moment(2, 0) - moment(0, 2)),
               z2 = half * (moment(0, 1) - moment(1, 0));
   const Matrix z = {{zero, z2, -z1}, {-z2, zero, z0}, {z1, -z0, zero}};
@@ -118,8 +120,8 @@ void write_forces(const ElementBlock& block, const Matrix p[4], const Matrix tot
   for (int edge = 0; edge < 6; ++edge) {
     const auto [a, b] = kTetEdges[edge];
     for (int i = 0; i < 3; ++i)
-      f[i] = all(-4) * (p[a][i][0] * g[b][0] + p[a][i][1] * g[b][1] + p[a][i][2] * g[b][2] + p[b][i][0] * g[a][0] +
-                        p[b][i][1] * g[a][1] + p[b][i][2] * g[a][2]);
+      f[i] = broadcast(-4) * (p[a][i][0] * g[b][0] + p[a][i][1] * g[b][1] + p[a][i][2] * g[b][2] +
+                              p[b][i][0] * g[a][0] + p[b][i][1] * g[a][1] + p[b][i][2] * g[a][2]);
     scatter(f[0], f[1], f[2], Lanes{}, edge_forces + edge, 6);
   }
 }
@@ -139,11 +141,11 @@ void force_quadratic_elements_of(const BlockLaw& law, ElementBlock& block, Quadr
   }
   for (int v = 0; v < 4; ++v) {
     for (int e = 0; e < 6; ++e) strains[v][e] -= block.offset[e];
-    largest[v] = at_least(largest_stress(law, strains[v]), 0);
+    largest[v] = max(largest_stress(law, strains[v]), 0);
     for (int e = 0; e < 6; ++e) {
       rates[v][e] = strains[v][e] - quadratic.strain[v][e];
       quadratic.strain[v][e] = strains[v][e];
-      strains[v][e] += all(law.viscosity) * rates[v][e];
+      strains[v][e] += broadcast(law.viscosity) * rates[v][e];
     }
   }
   measure(law, block, rates, viscosity, quadratic, work);
@@ -172,7 +174,7 @@ void force_quadratic_elements(const BlockLaw& law, ElementBlock& block, Quadrati
 }
 
 Lanes work_of_last(const BlockLaw& law, const ElementBlock& block, const QuadraticBlock& quadratic) {
-  return all(0.5F * law.viscosity) * corner_work(law, block, quadratic.rate, quadratic.rate);
+  return broadcast(0.5F * law.viscosity) * corner_work(law, block, quadratic.rate, quadratic.rate);
 }
 
 void settle_quadratic_elements(const BlockLaw& law, ElementBlock& block, QuadraticBlock& quadratic,
@@ -190,7 +192,7 @@ void settle_quadratic_elements(const BlockLaw& law, ElementBlock& block, Quadrat
   for (int v = 0; v < 4; ++v)
     for (int e = 0; e < 6; ++e) {
       quadratic.strain[v][e] -= block.offset[e];
-      quadratic.rate[v][e] = all(0);
+      quadratic.rate[v][e] = broadcast(0);
     }
 }
 

@@ -10,25 +10,26 @@
 namespace griffith::shock {
 namespace {
 
-/// Share of critical damping at the highest frequency: kills what the mesh cannot carry, leaves the rest.
+/// Fraction of critical damping at the highest frequency: damps oscillations that the mesh cannot resolve, but no
+/// others.
 constexpr double kDampingRatio = 0.12;
-/// Those to which less than this share of their stiffness would be left are so flat that they exert no force.
+/// Elements that would keep a smaller fraction of their stiffness are so flat that they exert no force.
 constexpr double kMinFraction = 0.25;
 
 WideQuad wide(const Vec3& v) { return WideQuad{v[0], v[1], v[2], 0}; }
 
-/// Leaves an element a share of its stiffness.
+/// Leaves an element a fraction of its stiffness.
 void relieve(ElementBlock& block, std::size_t lane, double fraction) {
   block.stiffness[lane] = fraction > kMinFraction ? static_cast<float>(fraction) : 0;
   if (fraction > kMinFraction) return;
   for (int k = 0; k < 3; ++k)
-    for (int a = 0; a < 3; ++a) block.gradients[k][a][lane] = 0;  // however it is crushed, its numbers are finite
+    for (int a = 0; a < 3; ++a) block.gradients[k][a][lane] = 0;  // its numbers stay finite however it is crushed
 }
 
 }  // namespace
 
 double highest_quadratic_frequency(const ElasticLaw& law, double density, std::span<const RestElement> rest_elements) {
-  // Of an element of any shape and Poisson's ratio, over that of the linear one: 1.247 at most.
+  // Highest frequency of an element of any shape and Poisson's ratio over that of the linear one: at most 1.247.
   constexpr double kOverLinear = 1.25;
   return kOverLinear * std::ranges::max(element_frequencies(law, density, rest_elements));
 }
@@ -119,7 +120,7 @@ void Solid::add_quadratic_blocks(std::span<const std::array<int, 6>> edges, cons
       for (int i = 0; i < 6; ++i) block.edges[i][lane] = edges[tet][i];
     }
     for (int v = 0; v < 4; ++v)
-      for (int e = 0; e < 6; ++e) block.strain[v][e] = block.rate[v][e] = all(0);
+      for (int e = 0; e < 6; ++e) block.strain[v][e] = block.rate[v][e] = broadcast(0);
   }
 }
 
@@ -199,7 +200,7 @@ void Solid::kick(double fraction) {
   for (int i = 0; i < static_cast<int>(constraints_.size()); ++i) hold(i, 0);
 }
 
-/// Velocities take the forces of `kick`, positions the velocities of `drift` [s].
+/// Updates velocities with the forces of `kick`, positions with the velocities of `drift` [s].
 void Solid::advance_nodes(double kick, double drift, std::vector<int>& flagged) {
   double fastest = 0;
   lowest_ = highest_ = velocities_[0].value;

@@ -5,7 +5,8 @@
 namespace griffith {
 
 /// Lists the entries of elements that act on each node or edge. `each_entry(use)` calls use(index of item, entry) for
-/// every entry, alike each time. An item's part of `stars` is [first, first + count), in the order of the calls.
+/// every entry, in the same order each time. An item's range of `stars` is [first, first + count), in the order of the
+/// calls.
 template <class Item, class EachEntry>
 void list_stars(const EachEntry& each_entry, std::vector<Item>& items, std::vector<int>& stars) {
   each_entry([&](int item, int) { ++items[item].count; });

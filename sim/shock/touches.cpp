@@ -10,19 +10,19 @@
 namespace griffith::shock {
 namespace {
 
-/// How four points lie to a side each.
+/// Positions of four points relative to one side each.
 struct FourBehind {
-  FourVectors normals;                 ///< unit, out of the sides
-  std::array<DoubleLanes, 3> weights;  ///< of the corners
-  DoubleLanes depth;                   ///< below the planes of the sides [m]
-  DoubleLanes clear;                   ///< how near they may come to each other without getting behind [m]
+  FourVectors normals;                 ///< unit normals out of the sides
+  std::array<DoubleLanes, 3> weights;  ///< weights of the corners
+  DoubleLanes depth;                   ///< depth below the planes of the sides [m]
+  DoubleLanes clear;                   ///< distance that they may still approach without getting behind [m]
   DoubleMask are_behind;
 };
 
-/// What lies behind a side, no deeper than `deepest` [m].
+/// Finds the points behind a side, at most `deepest` deep [m].
 FourBehind behind(const FourSides& sides, const FourVectors& points, const DoubleLanes& deepest) {
-  constexpr double kOutside = 0.02;  // of a side: corners that meet corners touch though they shift a little
-  constexpr double kFraction = 0.5;  // sides turn about their edges
+  constexpr double kOutside = 0.02;  // of a side, so that corners that meet corners touch in spite of small shifts
+  constexpr double kFraction = 0.5;  // sides rotate about their edges
   FourBehind found;
   const FourVectors across = double_areas(sides);
   const DoubleLanes size = simd::root(dot(across, across)), square = size * size;
@@ -41,7 +41,7 @@ FourBehind behind(const FourSides& sides, const FourVectors& points, const Doubl
 
 }  // namespace
 
-/// Records that things are so far apart [m].
+/// Records the distance of a pair [m].
 void Impacts::record_gap(Watched& watched, double gap) const {
   if (gap > 0) watched.clear_until = travelled_ + gap;
 }
@@ -67,13 +67,14 @@ void Impacts::touch_sphere(const Solid& solid, int index) {
 }
 
 bool Impacts::is_nearer(const Solid& solid, const Touch& touch, const Touch& other) const {
-  // Of an edge: beyond rounding and what a microstep brings. Things that overlap would else leap from side to side.
+  // Relative to an edge: beyond rounding and the motion of a microstep. Otherwise overlapping objects would jump from
+  // side to side.
   constexpr double kSameDepth = 1e-4;
   if (std::abs(touch.depth - other.depth) > kSameDepth * element_size_) return touch.depth < other.depth;
   return approach_of(solid, touch).dot(touch.normal) < approach_of(solid, other).dot(other.normal);
 }
 
-/// Appends which of some candidates lie behind the side that they are listed with.
+/// Appends the candidates that lie behind the side that they are listed with.
 template <class Candidate, class PlaceOf>
 void Impacts::find_behind(const Solid& solid, std::span<Candidate> candidates, std::size_t first, PlaceOf place_of,
                           std::vector<Found>& found) const {
@@ -112,7 +113,7 @@ void Impacts::find_behind(const Solid& solid, std::span<Candidate> candidates, s
   if (count > 0) look();
 }
 
-/// Finds which of all of these lie behind their sides. `place_of`: tells where a candidate is.
+/// Finds all candidates behind their sides. `place_of`: returns the position of a candidate.
 template <class Candidate, class PlaceOf>
 void Impacts::find_behind(const Solid& solid, std::vector<Candidate>& candidates, PlaceOf place_of) {
   found_.clear();
@@ -121,7 +122,7 @@ void Impacts::find_behind(const Solid& solid, std::vector<Candidate>& candidates
   });
 }
 
-/// Touches, of the sides that one thing lies behind, the nearest.
+/// Touches the nearest of the sides that one object lies behind.
 void Impacts::touch_nearest(const Solid& solid, std::span<const Found> found) {
   const Found* nearest = &found.front();
   for (const Found& other : found.subspan(1))
@@ -129,7 +130,7 @@ void Impacts::touch_nearest(const Solid& solid, std::span<const Found> found) {
   touches_.push_back(nearest->touch);
 }
 
-/// Nodes inside a convex part, and its sample points behind sides.
+/// Adds touches of nodes inside a convex part, and of its sample points behind sides.
 void Impacts::touch_convex(const Solid& solid, int index) {
   const std::size_t first_touch = touches_.size();
   touch_inside(solid, index);
@@ -152,7 +153,7 @@ void Impacts::touch_convex(const Solid& solid, int index) {
   drop_clamps(solid, first_touch);
 }
 
-/// Nodes inside a convex part.
+/// Adds touches of nodes inside a convex part.
 void Impacts::touch_inside(const Solid& solid, int index) {
   const Obstacle& obstacle = obstacles_[index];
   const Pose& pose = obstacle.state.pose;
@@ -169,9 +170,9 @@ void Impacts::touch_inside(const Solid& solid, int index) {
   }
 }
 
-/// Of touches with one other thing, those from `first` on: what has got through a body is behind sides that look away
-/// from each other. Both would be held, and whatever vibrates between them pressed ever tighter: it goes out the
-/// shorter way alone.
+/// Examines touches with one other object, those from `first` on. An object that penetrated a body is behind sides that
+/// face away from each other. With both touches it would be clamped, and a vibrating object would be pressed ever
+/// tighter. Only the touch on the shorter way out is kept.
 void Impacts::drop_clamps(const Solid& solid, std::size_t first) {
   constexpr double kOpposite = -0.5;  // cosine
   const auto clamp = [&](const Touch& a, const Touch& b) {
@@ -190,11 +191,11 @@ void Impacts::drop_clamps(const Solid& solid, std::size_t first) {
   touches_.resize(kept);
 }
 
-/// Each node against the side of another body that it lies behind least deep.
+/// Touches each node with the side of another body that it lies least deep behind.
 void Impacts::touch_bodies(const Solid& solid) {
   find_behind(solid, pairs_, [&](const NodeAndSide& pair) { return solid.position(pair.node); });
   for (Found& found : found_) found.touch.other_node = pairs_[found.candidate].node;
-  std::size_t first_touch = touches_.size();  // of one body
+  std::size_t first_touch = touches_.size();  // first touch of one body
   int body = -1;
   for (auto first = found_.begin(); first != found_.end();) {
     const int node = first->touch.other_node;

@@ -9,20 +9,20 @@ namespace {
 /// Cuts across an axis, the same in every period of brick and joint.
 struct Cuts {
   double origin = 0, period = 1;
-  std::vector<double> offsets;  ///< within a period, ascending, the first 0
+  std::vector<double> offsets;  ///< positions within a period, ascending, the first 0
   std::int64_t first_period = 0, periods = 0;
 
   std::int64_t parts() const { return std::ssize(offsets); }
   std::int64_t slabs() const { return periods * parts(); }
   std::int64_t period_of(std::int64_t slab) const { return first_period + slab / parts(); }
   std::int64_t part_of(std::int64_t slab) const { return slab % parts(); }
-  /// Where a slab begins.
+  /// Returns the start of a slab.
   double begin(std::int64_t slab) const {
     return origin + static_cast<double>(period_of(slab)) * period + offsets[part_of(slab)];
   }
 };
 
-/// `halved`: cuts for courses that are shifted by half a period, too, so that cells of both meet face to face.
+/// `halved`: adds cuts for courses that are shifted by half a period, so that cells of both meet face to face.
 Cuts make_cuts(const BrickSplinters& pattern, int axis, bool halved, const Eigen::AlignedBox3d& bounds) {
   const double length = pattern.size[axis], joint = pattern.mortar;
   Cuts cuts{pattern.origin[axis], length + joint, {0}};
@@ -37,7 +37,7 @@ Cuts make_cuts(const BrickSplinters& pattern, int axis, bool halved, const Eigen
   return cuts;
 }
 
-/// A lattice of boxes: in odd courses the second half of a period begins a brick.
+/// Lattice of boxes. In odd courses the second half of a period begins a brick.
 class BrickLattice {
  public:
   BrickLattice(const BrickSplinters& pattern, const Eigen::AlignedBox3d& bounds)
@@ -64,7 +64,7 @@ class BrickLattice {
 
   bool shifted(const Place& place) const { return cuts_[1].period_of(place[1]) % 2 != 0; }
 
-  /// The joint that ends a course, a wythe or a brick.
+  /// True for the joint at the end of a course, a wythe or a brick.
   bool in_mortar(const Place& place) const {
     if (!mortar_) return false;
     if (cuts_[1].part_of(place[1]) == 1 || cuts_[2].part_of(place[2]) == 1) return true;
@@ -72,7 +72,7 @@ class BrickLattice {
   }
 
   int brick(const Place& place) const {
-    const std::int64_t half = mortar_ ? 2 : 1;  // the part at which the second half of a period begins
+    const std::int64_t half = mortar_ ? 2 : 1;  // part at which the second half of a period begins
     std::int64_t column = place[0] / cuts_[0].parts() + 1;
     if (shifted(place) && cuts_[0].part_of(place[0]) < half) --column;
     const std::int64_t course = place[1] / cuts_[1].parts(), wythe = place[2] / cuts_[2].parts();

@@ -22,7 +22,7 @@ struct Maker {
   }
 };
 
-/// The wall that a point is farthest outside of; null when it is outside of none.
+/// Returns the wall that a point is farthest outside; null if it is outside none.
 const CellWall* worst_wall(const ConvexCell& cell, const Vec3& point) {
   const CellWall* worst = nullptr;
   double farthest = 0;
@@ -51,7 +51,7 @@ CellPartition make_cells(const SplinterPattern& pattern, const Eigen::AlignedBox
                          const std::filesystem::path& folder, const std::string& where) try {
   return std::visit(Maker{bounds, folder}, pattern);
 } catch (const TooManyCells&) {
-  throw InputError(where, "would make more than 2 million splinters", "take larger ones");
+  throw InputError(where, "would make more than 2 million splinters", "use larger ones");
 }
 
 void check_cell_count(double cells) {
@@ -63,8 +63,8 @@ int locate(const CellPartition& cells, const Vec3& point, int start) {
   for (std::size_t steps = 0; steps < cells.size(); ++steps) {
     const CellWall* wall = worst_wall(cells[cell], point);
     if (!wall) return cell;
-    if (wall->neighbour < 0) break;
-    cell = wall->neighbour;
+    if (wall->neighbor < 0) break;
+    cell = wall->neighbor;
   }
   return nearest_cell(cells, point);  // rounding led the walk in circles
 }

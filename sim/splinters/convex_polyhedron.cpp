@@ -11,7 +11,7 @@ namespace {
 
 enum Side : signed char { kInside = -1, kOn = 0, kOutside = 1 };
 
-/// A polyhedron on its way through a plane.
+/// Cut of a polyhedron by a plane.
 class Cut {
  public:
   Cut(ConvexPolyhedron& polyhedron, const HalfSpace& inside, double tolerance) : polyhedron_(polyhedron) {
@@ -22,7 +22,7 @@ class Cut {
     }
   }
 
-  /// Whether a corner that a face uses lies on this side.
+  /// True if a corner of a face lies on this side.
   bool reaches(Side side) const {
     return std::ranges::any_of(polyhedron_.faces, [&](const PolyhedronFace& face) { return reaches(face, side); });
   }
@@ -41,7 +41,7 @@ class Cut {
     face.corners = std::move(kept);
   }
 
-  /// The corners in the plane, in their order round `normal`.
+  /// Returns the corners in the plane in order around `normal`.
   std::vector<int> cap(const Vec3& normal) const {
     std::vector<int> corners;
     for (const PolyhedronFace& face : polyhedron_.faces)
@@ -63,7 +63,7 @@ class Cut {
     int a, b, corner;
   };
 
-  /// Where the edge from a to b goes through the plane: one new corner for both faces at the edge.
+  /// Returns the crossing of the edge from a to b: one new corner for both faces at the edge.
   int crossing(int a, int b) {
     for (const Crossing& known : crossings_)
       if (known.a == a && known.b == b) return known.corner;
@@ -105,7 +105,7 @@ void clip(ConvexPolyhedron& polyhedron, const HalfSpace& inside, int wall, doubl
   if (!cut.reaches(kOutside)) return;
   for (PolyhedronFace& face : polyhedron.faces)
     if (cut.reaches(face, kOutside)) cut.trim(face);
-  // What is left of a face that touched the plane from outside is an edge or a corner.
+  // A face that touched the plane from outside is now an edge or a corner.
   std::erase_if(polyhedron.faces, [&](const PolyhedronFace& face) { return face.corners.size() < 3; });
   if (capped) return;
   std::vector<int> cap = cut.cap(inside.normal);

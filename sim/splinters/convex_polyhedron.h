@@ -7,14 +7,14 @@
 
 namespace griffith {
 
-/// A face of a convex polyhedron that was cut out of a tet by the walls of a cell.
+/// Face of a convex polyhedron cut out of a tet by the walls of a cell.
 struct PolyhedronFace {
-  std::vector<int> corners;  ///< counter-clockwise seen from outside
-  int tet_face = -1;         ///< face 0..3 of the tet that it is a part of; -1: none
-  int wall = -1;             ///< the first of the cell's walls that it lies in; -1: none. Both: the two coincide.
+  std::vector<int> corners;  ///< counterclockwise seen from outside
+  int tet_face = -1;         ///< the tet's face 0..3 that contains it; -1: none
+  int wall = -1;             ///< first of the cell's walls that contains it; -1: none. With both set, the two coincide.
 };
 
-/// A convex polyhedron; empty where it has no faces.
+/// Convex polyhedron; empty if it has no faces.
 struct ConvexPolyhedron {
   std::vector<Vec3> corners;  ///< some may be unused
   std::vector<PolyhedronFace> faces;
@@ -22,22 +22,22 @@ struct ConvexPolyhedron {
   bool empty() const { return faces.empty(); }
 };
 
-/// The tet with these corners (positively oriented) [m].
+/// Returns the tet with these corners (positively oriented) [m].
 ConvexPolyhedron tet_polyhedron(const std::array<Vec3, 4>& corners);
 
-/// Cuts off what lies outside of a half-space, the cell's wall number `wall`. Corners nearer to the plane than
-/// `tolerance` [m] count as in it, whichever side of it they are cut from, so that two cells that share the plane part
-/// a polyhedron without overlap or gap. What is thinner than `tolerance` vanishes.
+/// Removes the part outside a half-space, the cell's wall number `wall`. Corners nearer to the plane than `tolerance`
+/// [m] count as on it, for cuts from either side, so that two cells that share the plane divide a polyhedron without
+/// overlap or gap. Parts thinner than `tolerance` vanish.
 void clip(ConvexPolyhedron& polyhedron, const HalfSpace& inside, int wall, double tolerance);
 
-/// Volume [m³] of a polyhedron.
+/// Returns the volume of a polyhedron [m³].
 double volume(const ConvexPolyhedron& polyhedron);
-/// The area vector of a face: its outward normal times its area [m²].
+/// Returns the area vector of a face: its outward normal times its area [m²].
 Vec3 area_vector(const ConvexPolyhedron& polyhedron, const PolyhedronFace& face);
 
-/// The part of a convex polygon within a half-space.
+/// Returns the part of a convex polygon within a half-space.
 std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const HalfSpace& inside);
-/// Half the sum of the cross products round a polygon: its normal times its area [m²].
+/// Returns half the sum of the cross products around a polygon: its normal times its area [m²].
 Vec3 area_vector(const std::vector<Vec3>& polygon);
 
 }  // namespace griffith

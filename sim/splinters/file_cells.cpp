@@ -12,10 +12,10 @@
 namespace griffith {
 namespace {
 
-/// The share of a file's largest coordinate by which its places may be wrong: readers keep single precision.
+/// Possible error of positions relative to the largest coordinate, since readers use single precision.
 constexpr double kRounding = 1e-6;
 
-/// Two sides of different cells that lie on each other.
+/// Two coincident sides of different cells.
 struct SharedSide {
   int a = 0, plane_a = 0, b = 0, plane_b = 0;
 };
@@ -26,7 +26,7 @@ std::vector<Vec3> outline(const ConvexPolyhedron& polyhedron, const PolyhedronFa
   return corners;
 }
 
-/// Puts the cells of a file together: finds which touch where, and gives sides that touch one plane.
+/// Assembly of the cells of a file: finds their contacts, and gives touching sides one plane.
 class Assembly {
  public:
   Assembly(std::vector<ObjectCell> cells, double tolerance, std::string file)
@@ -99,7 +99,7 @@ bool Assembly::share_a_side(int a, int b) {
   return any;
 }
 
-/// Sides that lie on each other get the plane that fits all their corners best, so that they leave no gap.
+/// Gives coincident sides the plane that fits all their corners best, so that they leave no gap.
 void Assembly::unite_planes() {
   std::vector<std::pair<int, int>> sides;
   for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
@@ -138,20 +138,21 @@ void Assembly::fit_planes(std::span<const std::pair<int, int>> sides) {
   }
 }
 
-/// A wall for each neighbour of a side, those of one side one after the other; one without for an outer side.
+/// Returns cells with a wall for each neighbor of a side, consecutive for one side; one without neighbor for an outer
+/// side.
 CellPartition Assembly::partition() const {
-  std::vector<std::vector<std::pair<int, int>>> neighbours(cells_.size());  // plane, cell
+  std::vector<std::vector<std::pair<int, int>>> neighbors(cells_.size());  // plane, cell
   for (const SharedSide& side : shared_) {
-    neighbours[side.a].emplace_back(side.plane_a, side.b);
-    neighbours[side.b].emplace_back(side.plane_b, side.a);
+    neighbors[side.a].emplace_back(side.plane_a, side.b);
+    neighbors[side.b].emplace_back(side.plane_b, side.a);
   }
   CellPartition partition(cells_.size());
   for (std::size_t i = 0; i < cells_.size(); ++i) {
-    std::ranges::sort(neighbours[i]);
+    std::ranges::sort(neighbors[i]);
     partition[i].splinter = static_cast<int>(i);
     for (int plane = 0; plane < std::ssize(cells_[i].planes); ++plane) {
       const std::size_t before = partition[i].walls.size();
-      for (const auto& [at, cell] : neighbours[i])
+      for (const auto& [at, cell] : neighbors[i])
         if (at == plane) partition[i].walls.push_back({cells_[i].planes[plane], cell});
       if (partition[i].walls.size() == before) partition[i].walls.push_back({cells_[i].planes[plane], -1});
     }

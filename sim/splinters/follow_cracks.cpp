@@ -6,10 +6,10 @@
 namespace griffith {
 namespace {
 
-using Neighbours = std::span<const std::array<TetId, 4>>;
+using Neighbors = std::span<const std::array<TetId, 4>>;
 
-/// Finds the parts that still hold together with the owner.
-void update_attachment(const SplinterSet& set, Neighbours neighbours, SplinterId id, SplinterState& state) {
+/// Finds the parts that are still connected with the owner.
+void update_attachment(const SplinterSet& set, Neighbors neighbors, SplinterId id, SplinterState& state) {
   const Splinter& splinter = set.splinters[id];
   const auto attached = state.attached.begin() + splinter.first_part;
   for (int i = 0; i < splinter.parts; ++i) attached[i] = set.parts[splinter.first_part + i].tet == splinter.owner;
@@ -19,20 +19,20 @@ void update_attachment(const SplinterSet& set, Neighbours neighbours, SplinterId
     grew = false;
     for (const PartLink& link : links) {
       if (state.attached[link.a] == state.attached[link.b]) continue;
-      if (!neighbours[set.parts[link.a].tet][link.face].valid()) continue;
+      if (!neighbors[set.parts[link.a].tet][link.face].valid()) continue;
       state.attached[link.a] = state.attached[link.b] = 1;
       grew = true;
     }
   }
 }
 
-/// Whether what carries the two sides of a wall has parted.
-bool has_opened(const SplinterSet& set, Neighbours neighbours, const SplinterState& state, const SplinterFace& face) {
+/// True if the tets of the two sides of a wall have separated.
+bool has_opened(const SplinterSet& set, Neighbors neighbors, const SplinterState& state, const SplinterFace& face) {
   const auto carrier_of = [&](int part) { return carrier(set.splinters, set.parts, state.attached, part); };
   if (carrier_of(face.part) == carrier_of(face.beyond)) return false;
   if (!state.attached[face.part] || !state.attached[face.beyond]) return true;
-  // Two tets carry a wall that lies in the face between them.
-  return !neighbours[set.parts[face.part].tet][face.tet_face].valid();
+  // A wall in the face between two tets follows both.
+  return !neighbors[set.parts[face.part].tet][face.tet_face].valid();
 }
 
 void open(SplinterState& state, int face) {
@@ -41,13 +41,13 @@ void open(SplinterState& state, int face) {
   state.open_walls.push_back(face);
 }
 
-/// Opens the walls of a splinter that have to be, and the other sides of them.
-void open_walls(const SplinterSet& set, Neighbours neighbours, SplinterId id, SplinterState& state) {
+/// Opens the walls of a splinter that have to open, on both sides.
+void open_walls(const SplinterSet& set, Neighbors neighbors, SplinterId id, SplinterState& state) {
   const Splinter& splinter = set.splinters[id];
   for (int p = splinter.first_part; p < splinter.first_part + splinter.parts; ++p) {
     const SplinterPart& part = set.parts[p];
     for (int f = part.first_face; f < part.first_face + part.faces; ++f) {
-      if (state.open[f] || !has_opened(set, neighbours, state, set.faces[f])) continue;
+      if (state.open[f] || !has_opened(set, neighbors, state, set.faces[f])) continue;
       open(state, f);
       const SplinterPart& beyond = set.parts[set.faces[f].beyond];
       for (int g = beyond.first_face; g < beyond.first_face + beyond.faces; ++g)
@@ -65,16 +65,16 @@ SplinterState intact_state(const SplinterSet& splinters) {
   return state;
 }
 
-void follow_cracks(const SplinterSet& splinters, Neighbours neighbours, std::span<const TetId> changed_tets,
+void follow_cracks(const SplinterSet& splinters, Neighbors neighbors, std::span<const TetId> changed_tets,
                    SplinterState& state) {
   std::vector<SplinterId> touched;
   for (const TetId tet : changed_tets) {
-    if (static_cast<std::size_t>(tet) >= splinters.parts_of_tet.size()) continue;  // of a body without splinters
+    if (static_cast<std::size_t>(tet) >= splinters.parts_of_tet.size()) continue;  // tet of a body without splinters
     for (const int part : splinters.parts_of_tet[tet]) touched.push_back(splinters.parts[part].splinter);
   }
   sort_unique(touched);
-  for (const SplinterId id : touched) update_attachment(splinters, neighbours, id, state);
-  for (const SplinterId id : touched) open_walls(splinters, neighbours, id, state);
+  for (const SplinterId id : touched) update_attachment(splinters, neighbors, id, state);
+  for (const SplinterId id : touched) open_walls(splinters, neighbors, id, state);
 }
 
 }  // namespace griffith

@@ -10,7 +10,7 @@
 namespace griffith {
 namespace {
 
-/// Planes nearer than this share of the body's size to a corner go through it.
+/// Planes nearer to a corner than this fraction of the body's size go through it.
 constexpr double kTolerance = 1e-10;
 
 std::array<Vec3, 4> rest_corners(const TetMesh& mesh, TetId tet) {
@@ -19,7 +19,7 @@ std::array<Vec3, 4> rest_corners(const TetMesh& mesh, TetId tet) {
   return corners;
 }
 
-/// Whether a wall alone keeps the tet out of the cell: the most frequent case, and the cheapest to find out.
+/// True if a single wall separates the tet from the cell: the most frequent case, and the cheapest to test.
 bool misses(const std::array<Vec3, 4>& corners, const ConvexCell& cell, double tolerance) {
   return std::ranges::any_of(cell.walls, [&](const CellWall& wall) {
     return std::ranges::all_of(corners, [&](const Vec3& corner) { return wall.inside.distance(corner) > -tolerance; });
@@ -38,7 +38,7 @@ ConvexPolyhedron common_part(const std::array<Vec3, 4>& corners, const ConvexCel
   return part;
 }
 
-/// Spreads from the cell at the tet's middle to the neighbours of all cells that meet the tet.
+/// Spreads from the cell at the tet's center to the neighbors of all cells that meet the tet.
 std::vector<Fragment> fragments_of_tet(const TetMesh& mesh, const CellPartition& cells, TetId tet, int start,
                                        double tolerance) {
   const std::array<Vec3, 4> corners = rest_corners(mesh, tet);
@@ -53,7 +53,7 @@ std::vector<Fragment> fragments_of_tet(const TetMesh& mesh, const CellPartition&
     fragment.volume = volume(fragment.polyhedron);
     fragments.push_back(std::move(fragment));
     for (const CellWall& wall : cells[cell].walls) {
-      if (wall.neighbour >= 0 && seen.insert(wall.neighbour).second) waiting.push_back(wall.neighbour);
+      if (wall.neighbor >= 0 && seen.insert(wall.neighbor).second) waiting.push_back(wall.neighbor);
     }
   }
   std::ranges::sort(fragments, {}, &Fragment::cell);

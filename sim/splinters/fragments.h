@@ -8,7 +8,7 @@
 
 namespace griffith {
 
-/// What a cell and a tet have in common.
+/// Intersection of a cell and a tet.
 struct Fragment {
   TetId tet;
   int cell = 0;
@@ -16,8 +16,8 @@ struct Fragment {
   double volume = 0;  ///< [m³]
 };
 
-/// Parts every tet of a mesh in rest space between the cells: the fragments of a tet fill it without overlap. By tet,
-/// then cell. Throws Cancelled when the monitor says so.
+/// Divides every tet of a mesh in rest space among the cells. The fragments of a tet fill it without overlap. Ordered
+/// by tet, then cell. Throws Cancelled when the monitor cancels.
 std::vector<Fragment> make_fragments(const TetMesh& mesh, const CellPartition& cells, const Monitor& monitor = {});
 
 }  // namespace griffith

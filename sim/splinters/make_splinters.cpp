@@ -10,7 +10,7 @@
 namespace griffith {
 namespace {
 
-/// The affine map from rest space to a tet's barycentric weights.
+/// Affine map from rest space to a tet's barycentric weights.
 class Barycentric {
  public:
   Barycentric(const TetMesh& mesh, TetId tet) {
@@ -30,7 +30,7 @@ class Barycentric {
   Mat3 inverse_;
 };
 
-/// Puts the splinters of one body together, kind by kind.
+/// Builder of the splinters of one body.
 class Builder {
  public:
   Builder(const TetMesh& mesh, const CellPartition& cells, const Monitor& monitor)
@@ -55,7 +55,7 @@ class Builder {
     if (monitor_.is_cancelled()) throw Cancelled();
   }
 
-  /// By splinter, then tet; `part_of_` leads from fragments to them.
+  /// Makes the parts by splinter, then tet. `part_of_` maps fragments to them.
   void make_parts() {
     const int count = groups_.empty() ? 0 : 1 + *std::ranges::max_element(groups_);
     set_.splinters.resize(count);

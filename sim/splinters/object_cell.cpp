@@ -5,12 +5,12 @@
 #include <numeric>
 
 #include "sim/core/error.h"
-#include "sim/mesh/number_text.h"
+#include "sim/core/number_text.h"
 
 namespace griffith {
 namespace {
 
-/// The planes of an object's triangles, each once, the largest triangle of each first: it gives the plane best.
+/// Returns the distinct planes of an object's triangles, from the largest triangle of each, which is most accurate.
 std::vector<HalfSpace> planes_of(const TriangleSurface& surface, const Vec3& center, double tolerance) {
   constexpr double kNearlyParallel = 0.999;
   std::vector<int> order(surface.triangles.size());
@@ -34,7 +34,7 @@ std::vector<HalfSpace> planes_of(const TriangleSurface& surface, const Vec3& cen
   return planes;
 }
 
-/// A tet that holds the box with much room.
+/// Returns a tet that contains the box with a wide margin.
 ConvexPolyhedron far_around(const Eigen::AlignedBox3d& box) {
   const double reach = 20 * box.diagonal().norm();
   const Vec3 center = box.center();
@@ -52,7 +52,7 @@ void require_convex(const ObjectCell& cell, const TriangleSurface& surface, doub
     }
 }
 
-/// Whether the triangles have the area of the cell's faces: none is missing, none is there twice.
+/// Throws unless the triangles have the area of the cell's faces: none is missing or duplicate.
 void require_closed(const ObjectCell& cell, const TriangleSurface& surface, const std::string& where) {
   constexpr double kFraction = 1e-3;
   double area = 0;
@@ -79,7 +79,7 @@ ObjectCell object_cell(const SurfaceObject& object, double tolerance, const std:
   const bool flat = std::ranges::all_of(cell.planes, [&](const HalfSpace& plane) {
     return std::ranges::all_of(surface.points, [&](const Vec3& p) { return std::abs(plane.distance(p)) <= tolerance; });
   });
-  if (flat) throw InputError(where, "has no volume", "give it a thickness, or take it out");
+  if (flat) throw InputError(where, "has no volume", "give it a thickness, or remove it");
   require_convex(cell, surface, tolerance, where);
   cell.polyhedron = far_around(cell.box);
   for (std::size_t i = 0; i < cell.planes.size() && !cell.polyhedron.empty(); ++i)

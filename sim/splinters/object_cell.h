@@ -8,19 +8,19 @@
 
 namespace griffith {
 
-/// An object of a file as a convex cell.
+/// Object of a file as a convex cell.
 struct ObjectCell {
   std::string name;
-  std::vector<HalfSpace> planes;  ///< one a side
-  ConvexPolyhedron polyhedron;    ///< what is within all of them; its faces' walls are their numbers
+  std::vector<HalfSpace> planes;  ///< one plane per side
+  ConvexPolyhedron polyhedron;    ///< the intersection of all planes; its faces' walls are their indices
   Eigen::AlignedBox3d box;
 };
 
-/// The cell that an object is. `tolerance` [m]: what the file's rounding may amount to. Throws InputError, about the
-/// cell in the file `file`, for an object that is flat, not closed or not convex.
+/// Returns the cell of an object. `tolerance` [m]: possible rounding of the file. Throws InputError, about the cell in
+/// the file `file`, for an object that is flat, not closed or not convex.
 ObjectCell object_cell(const SurfaceObject& object, double tolerance, const std::string& file);
 
-/// What two cells have in common; empty when they only touch.
+/// Returns the intersection of two cells; empty if they only touch.
 ConvexPolyhedron common_part(const ObjectCell& a, const ObjectCell& b, double tolerance);
 
 }  // namespace griffith

@@ -10,13 +10,13 @@
 namespace griffith {
 namespace {
 
-/// The distance to the corner of the box that lies farthest away.
+/// Returns the distance to the farthest corner of the box.
 double farthest_distance(const Eigen::AlignedBox3d& box, const Vec3& point) {
   return (point - box.min()).cwiseAbs().cwiseMax((point - box.max()).cwiseAbs()).norm();
 }
 
-/// Distance of any place in the box within which lies one of the points, so those farther from all of the box have no
-/// part in it.
+/// Returns a distance within which every place of the box has one of the points. Points farther than this from the box
+/// do not matter.
 double reach(const std::vector<Vec3>& points, const Eigen::AlignedBox3d& box) {
   double minimum = std::numeric_limits<double>::infinity();
   for (const Vec3& point : points) minimum = std::min(minimum, farthest_distance(box, point));
@@ -36,7 +36,7 @@ CellPartition make_point_cells(const PointSplinters& pattern, const Eigen::Align
   if (!(radius < kMaxSizes * size))
     throw InputError(path.string(), "has no point within a hundred times the body's size",
                      "the points are in the body's own frame; check their scale");
-  // What lies far away or next to another point would put the rest beyond Voro++'s tolerance.
+  // Points far away or very close to others would exceed Voro++'s tolerance for the rest.
   std::erase_if(points, [&](const Vec3& point) { return !(bounds.exteriorDistance(point) <= radius); });
   const double step = kRounding * size;
   for (Vec3& point : points) point = step * (point / step).array().round();

@@ -8,7 +8,7 @@
 namespace griffith {
 namespace {
 
-/// Rays from the axis and rings round it; the node of a ring on a ray has a radius of its own. Rays of level k + 1 are
+/// Rays from the axis and rings around it. The node of a ring on a ray has its own radius. Rays of level k + 1 are
 /// those of level k and one between each two.
 class RadialPattern {
  public:
@@ -48,9 +48,9 @@ class RadialPattern {
     levels_.push_back(level);
   }
 
-  /// `ray`: 0 to the number of sectors, where the first one is met again.
+  /// `ray`: 0 to the number of sectors, which is the first one again.
   double angle(int level, int ray) const {
-    // Two rays never come closer than a fifth of their mean distance.
+    // The angle between two rays is at least a fifth of its mean.
     const auto shift = [&] {
       return 0.8 * pattern_.jitter * (random_unit(pattern_.seed, wrapped(level, ray), -1 - level) - 0.5);
     };
@@ -70,7 +70,7 @@ class RadialPattern {
     return pattern_.center + (radii_[ring] + shift * widths_[ring]) * direction(level, ray);
   }
 
-  /// Everything behind a ray, seen the way angles grow.
+  /// Returns the half-space behind a ray, in the direction of growing angles.
   HalfSpace behind_ray(int level, int ray) const {
     const Vec3 normal = pattern_.axis.normalized().cross(direction(level, ray)).normalized();
     return {normal, normal.dot(pattern_.center)};
@@ -102,8 +102,8 @@ class RadialPattern {
 
   const RadialSplinters& pattern_;
   Vec3 across_, up_;
-  std::vector<double> radii_, widths_;  ///< per ring: of its outer border, but for the last, which has none
-  std::vector<int> levels_, first_;     ///< per ring: of its rays; its first cell
+  std::vector<double> radii_, widths_;  ///< per ring: its outer border, except for the last one, which has none
+  std::vector<int> levels_, first_;     ///< per ring: level of its rays; its first cell
 };
 
 }  // namespace

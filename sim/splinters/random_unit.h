@@ -4,8 +4,8 @@
 
 namespace griffith {
 
-/// A number in [0, 1) that depends on its arguments alone and looks random (the finaliser of SplitMix64; Steele, Lea &
-/// Flood 2014), so that a pattern near a place does not depend on how much of it is made.
+/// Returns a pseudorandom number in [0, 1) that depends only on its arguments (the finalizer of SplitMix64; Steele, Lea
+/// & Flood 2014), so that a pattern near a place does not depend on its extent.
 inline double random_unit(int seed, std::int64_t a, std::int64_t b = 0, std::int64_t c = 0, int component = 0) {
   std::uint64_t x = static_cast<std::uint64_t>(seed);
   for (const std::int64_t next : {a, b, c, static_cast<std::int64_t>(component)}) {

@@ -8,10 +8,10 @@
 namespace griffith {
 namespace {
 
-/// Less than this share of its neighbour's volume, and a splinter joins it.
+/// Largest volume of a splinter that joins its neighbor, relative to the neighbor's.
 constexpr double kSmallestFraction = 0.1;
 
-/// Looks up the fragment of a tet in a cell.
+/// Index of fragments by tet and cell.
 class FragmentTable {
  public:
   FragmentTable(const std::vector<Fragment>& fragments, int tets) : fragments_(fragments), first_(tets + 1, 0) {
@@ -19,7 +19,7 @@ class FragmentTable {
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
   }
 
-  /// -1 when there is none.
+  /// Returns -1 if there is none.
   int find(TetId tet, int cell) const {
     const auto begin = fragments_.begin() + first_[tet], end = fragments_.begin() + first_[tet.index() + 1];
     const auto found = std::ranges::lower_bound(begin, end, cell, {}, &Fragment::cell);
@@ -31,28 +31,28 @@ class FragmentTable {
   std::vector<int> first_;
 };
 
-/// The neighbour with the largest common wall, per group that is small beside it; -1 for the others.
-std::vector<int> neighbours_to_join(const std::vector<FragmentContact>& contacts, const std::vector<double>& volumes,
-                                    DisjointSets& groups) {
+/// Returns the neighbor with the largest common wall, per group that is small beside it; -1 for the others.
+std::vector<int> neighbors_to_join(const std::vector<FragmentContact>& contacts, const std::vector<double>& volumes,
+                                   DisjointSets& groups) {
   struct Common {
-    int group, neighbour;
+    int group, neighbor;
     double area;
   };
   std::vector<Common> walls;
   for (const FragmentContact& contact : contacts) {
-    const int group = groups.find(contact.a), neighbour = groups.find(contact.b);
-    if (group != neighbour && contact.is_wall) walls.push_back({group, neighbour, contact.area});
+    const int group = groups.find(contact.a), neighbor = groups.find(contact.b);
+    if (group != neighbor && contact.is_wall) walls.push_back({group, neighbor, contact.area});
   }
-  std::ranges::stable_sort(walls, {}, [](const Common& wall) { return std::pair(wall.group, wall.neighbour); });
+  std::ranges::stable_sort(walls, {}, [](const Common& wall) { return std::pair(wall.group, wall.neighbor); });
   std::vector<int> chosen(volumes.size(), -1);
   std::vector<double> largest(volumes.size(), 0);
   for (std::size_t i = 0; i < walls.size();) {
-    const auto [group, neighbour, ignored] = walls[i];
+    const auto [group, neighbor, ignored] = walls[i];
     double area = 0;
-    for (; i < walls.size() && walls[i].group == group && walls[i].neighbour == neighbour; ++i) area += walls[i].area;
+    for (; i < walls.size() && walls[i].group == group && walls[i].neighbor == neighbor; ++i) area += walls[i].area;
     if (area <= largest[group]) continue;
     largest[group] = area;
-    chosen[group] = neighbour;
+    chosen[group] = neighbor;
   }
   for (std::size_t group = 0; group < chosen.size(); ++group)
     if (chosen[group] >= 0 && volumes[group] >= kSmallestFraction * volumes[chosen[group]]) chosen[group] = -1;
@@ -65,12 +65,12 @@ std::vector<double> group_volumes(const std::vector<Fragment>& fragments, Disjoi
   return volumes;
 }
 
-/// Every round joins all that are small; what they grow to may be small beside something else.
+/// Joins all small groups in each round. The joined ones may be small beside others.
 void join_small_groups(const std::vector<Fragment>& fragments, const std::vector<FragmentContact>& contacts,
                        DisjointSets& groups) {
   for (bool joined = true; joined;) {
     joined = false;
-    const std::vector<int> chosen = neighbours_to_join(contacts, group_volumes(fragments, groups), groups);
+    const std::vector<int> chosen = neighbors_to_join(contacts, group_volumes(fragments, groups), groups);
     for (std::size_t group = 0; group < chosen.size(); ++group) {
       if (chosen[group] < 0) continue;
       groups.join(static_cast<int>(group), chosen[group]);
@@ -79,7 +79,7 @@ void join_small_groups(const std::vector<Fragment>& fragments, const std::vector
   }
 }
 
-/// The cells behind a face: beyond the wall that it lies in, of which a side may have several, or the same cell.
+/// Returns the cells behind a face: beyond its wall, of which a side may have several, or the same cell.
 std::vector<int> cells_beyond(const ConvexCell& cell, int own, int wall) {
   if (wall < 0) return {own};
   std::vector<int> beyond;
@@ -87,33 +87,33 @@ std::vector<int> cells_beyond(const ConvexCell& cell, int own, int wall) {
   for (std::size_t i = wall; i < cell.walls.size(); ++i) {
     const HalfSpace& inside = cell.walls[i].inside;
     if (inside.normal != side.normal || inside.offset != side.offset) break;
-    if (cell.walls[i].neighbour >= 0) beyond.push_back(cell.walls[i].neighbour);
+    if (cell.walls[i].neighbor >= 0) beyond.push_back(cell.walls[i].neighbor);
   }
   return beyond;
 }
 
-/// The part of a face of a cell's fragment that a neighbour covers.
+/// Returns the part of a face of a cell's fragment that a neighbor covers.
 std::vector<Vec3> shared_outline(const ConvexPolyhedron& polyhedron, const PolyhedronFace& face,
-                                 const ConvexCell& neighbour, int cell) {
+                                 const ConvexCell& neighbor, int cell) {
   std::vector<Vec3> outline;
   for (const int corner : face.corners) outline.push_back(polyhedron.corners[corner]);
-  const auto towards = std::ranges::find(neighbour.walls, cell, &CellWall::neighbour);
-  for (const CellWall& wall : neighbour.walls)
+  const auto towards = std::ranges::find(neighbor.walls, cell, &CellWall::neighbor);
+  for (const CellWall& wall : neighbor.walls)
     if (wall.inside.normal != towards->inside.normal || wall.inside.offset != towards->inside.offset)
       outline = clipped(outline, wall.inside);
   return outline;
 }
 
-/// The contacts of a face with what lies in the tet beyond it; `contact` knows the face.
+/// Adds the contacts of a face with the fragments in the tet beyond it. `contact` has the face.
 void add_contacts(const CellPartition& cells, const std::vector<Fragment>& fragments, const FragmentTable& table,
                   TetId beyond, FragmentContact contact, std::vector<FragmentContact>& contacts) {
   const Fragment& fragment = fragments[contact.a];
   const PolyhedronFace& face = fragment.polyhedron.faces[contact.face];
-  const std::vector<int> neighbours = cells_beyond(cells[fragment.cell], fragment.cell, face.wall);
-  for (const int cell : neighbours) {
+  const std::vector<int> neighbors = cells_beyond(cells[fragment.cell], fragment.cell, face.wall);
+  for (const int cell : neighbors) {
     contact.b = table.find(beyond, cell);
     if (contact.b < 0) continue;  // thinner than rounding
-    if (neighbours.size() == 1) {
+    if (neighbors.size() == 1) {
       contact.area = area_vector(fragment.polyhedron, face).norm();
     } else {
       contact.outline = shared_outline(fragment.polyhedron, face, cells[cell], fragment.cell);

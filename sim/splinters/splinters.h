@@ -14,98 +14,98 @@ namespace griffith {
 
 using SplinterId = Id<struct SplinterTag>;
 
-/// A piece of a body's material that tets carry but that never deforms their facets into view (Parker & O'Brien 2009,
-/// section 5). It goes where its owner goes.
+/// Piece of a body's material that follows its tets but hides their facets (Parker & O'Brien 2009, section 5). It moves
+/// with its owner.
 struct Splinter {
-  TetId owner;         ///< the tet with the largest share of it
+  TetId owner;         ///< tet with the largest part of it
   int scene_body = 0;  ///< index into Scene::bodies
   int first_part = 0, parts = 0;
-  double volume = 0;  ///< at rest [m³]
+  double volume = 0;  ///< volume at rest [m³]
 };
 
-/// What a splinter and a tet have in common.
+/// Intersection of a splinter and a tet.
 struct SplinterPart {
   SplinterId splinter;
   TetId tet;
-  double volume = 0;  ///< at rest [m³]
+  double volume = 0;  ///< volume at rest [m³]
   int first_face = 0, faces = 0;
 };
 
-/// Two parts of one splinter hold together through a face between their tets.
+/// Connection of two parts of one splinter through a face between their tets.
 struct PartLink {
   int a = 0, b = 0;  ///< parts
-  int face = 0;      ///< 0..3 of a's tet
+  int face = 0;      ///< face 0..3 of a's tet
 };
 
-/// A convex polygon of a splinter's surface: a piece of the body's surface, or of a wall towards another splinter.
+/// Convex polygon of a splinter's surface: a piece of the body's surface, or of a wall toward another splinter.
 struct SplinterFace {
   int part = 0;
-  int beyond = -1;            ///< a wall: the part of the other splinter behind it; -1: the body's surface
-  std::int8_t tet_face = -1;  ///< 0..3: lies in this face of the part's tet; -1: inside the tet
+  int beyond = -1;            ///< wall: the part of the other splinter behind it; -1: the body's surface
+  std::int8_t tet_face = -1;  ///< 0..3: this face of the part's tet contains it; -1: inside the tet
   SplinterMatter matter = SplinterMatter::body;
-  int first_corner = 0, corners = 0;  ///< counter-clockwise seen from outside
+  int first_corner = 0, corners = 0;  ///< counterclockwise seen from outside
 };
 
-using Weights = Eigen::Matrix<float, 4, 1, Eigen::DontAlign>;  ///< barycentric, of a tet's corners
+using Weights = Eigen::Matrix<float, 4, 1, Eigen::DontAlign>;  ///< barycentric coordinates in a tet
 
-/// A corner of a face and how tets carry it: barycentric weights, which add up to 1.
+/// Corner of a face with its barycentric weights in tets. They sum to 1.
 struct SplinterCorner {
   Eigen::Vector3f rest;   ///< in the body's rest space [m]
-  Weights weights;        ///< in its part's tet, none below 0 but for rounding
-  Weights owner_weights;  ///< in the owner, of any sign
+  Weights weights;        ///< weights in its part's tet, not negative but for rounding
+  Weights owner_weights;  ///< weights in the owner, of any sign
 };
 
-/// The splinters of bodies and their surfaces; nothing of it changes when bodies break.
+/// Splinters of bodies and their surfaces. They do not change when bodies break.
 struct SplinterSet {
   std::vector<Splinter> splinters;
-  std::vector<SplinterPart> parts;  ///< by splinter, then tet
+  std::vector<SplinterPart> parts;  ///< parts by splinter, then tet
   std::vector<PartLink> links;      ///< by splinter
   std::vector<int> first_link;      ///< per splinter, and the end
   std::vector<SplinterFace> faces;  ///< by part
   std::vector<SplinterCorner> corners;
-  std::vector<std::vector<int>> parts_of_tet;   ///< per tet of the mesh
-  std::vector<std::vector<int>> parts_of_cell;  ///< per cell that they were made from; append() leaves it out
+  std::vector<std::vector<int>> parts_of_tet;   ///< parts per tet of the mesh
+  std::vector<std::vector<int>> parts_of_cell;  ///< parts per cell that they were made from; not set by append()
 };
 
-/// The splinters that cells make of a body. `mesh` is in rest space. Pieces of a splinter that hang together through no
-/// common face become splinters of their own, and what has less than a tenth of the volume of the neighbour with which
-/// it shares the largest wall joins it. Throws Cancelled when the monitor says so.
+/// Returns the splinters that cells make of a body. `mesh` is in rest space. Disconnected pieces of a splinter become
+/// separate splinters. A splinter of less than a tenth of the volume of the neighbor with the largest common wall joins
+/// it. Throws Cancelled when the monitor cancels.
 SplinterSet make_splinters(const TetMesh& mesh, const CellPartition& cells, const Monitor& monitor = {});
 
-/// What of a body no splinter holds.
+/// Part of a body without splinters.
 struct Uncovered {
   double volume = 0;          ///< [m³]
-  Vec3 place = Vec3::Zero();  ///< the middle of the tet that misses most [m]
+  Vec3 place = Vec3::Zero();  ///< center of the tet with the largest uncovered volume [m]
 };
 
-/// Cells that do not fill the box round the body may leave something out.
+/// Returns the uncovered part. Cells that do not fill the box around the body may leave some.
 Uncovered uncovered_part(const TetMesh& mesh, const SplinterSet& splinters);
 
-/// Adds the splinters of a body whose tets begin at `first_tet` of the mesh of all.
+/// Appends the splinters of a body whose tets begin at `first_tet` of the mesh of all.
 void append(SplinterSet& all, const SplinterSet& of_body, TetId first_tet, int scene_body);
 
-/// A place on a splinter and the part that carries it.
+/// Point of a splinter and the part that it follows.
 struct HullCorner {
   int part = 0, corner = 0;
 };
 
-/// Places on each splinter of which it is the convex hull, none twice.
+/// Returns points on each splinter whose convex hull contains it, without duplicates.
 std::vector<std::vector<HullCorner>> hull_corners(const SplinterSet& splinters);
 
-/// How splinters are carried and what is seen of them.
+/// State of splinters: the tets that they follow, and their visible faces.
 struct SplinterState {
-  std::vector<std::uint8_t> attached;  ///< per part: 1 while its tet holds together with the owner through the splinter
-  std::vector<std::uint8_t> open;      ///< per face: 1 on the surface and for walls that a crack has opened
-  std::vector<int> open_walls;         ///< the walls among them, in the order in which they opened
+  std::vector<std::uint8_t> attached;  ///< per part: 1 while its tet is connected with the owner through the splinter
+  std::vector<std::uint8_t> open;      ///< per face: 1 on the surface and for walls opened by a crack
+  std::vector<int> open_walls;         ///< the opened walls, in the order of opening
 };
 
-/// Everything attached, all walls closed.
+/// Returns the state with everything attached and all walls closed.
 SplinterState intact_state(const SplinterSet& splinters);
 
-/// Follows the cracks that parted `changed_tets` from some neighbour. `neighbours`: of all tets, as they are now. A
-/// part that has lost its owner is carried by the owner's affine map; a wall opens when what carries its two sides
-/// parts. Walls never close again. Costs the splinters in these tets.
-void follow_cracks(const SplinterSet& splinters, std::span<const std::array<TetId, 4>> neighbours,
+/// Follows the cracks that separated `changed_tets` from some neighbor. `neighbors`: those of all tets, present state.
+/// A part without its owner moves by the owner's affine map. A wall opens when its two sides follow separated tets,
+/// permanently. The cost is that of the splinters in these tets.
+void follow_cracks(const SplinterSet& splinters, std::span<const std::array<TetId, 4>> neighbors,
                    std::span<const TetId> changed_tets, SplinterState& state);
 
 }  // namespace griffith

@@ -9,7 +9,7 @@
 namespace griffith {
 namespace {
 
-/// Turns the grain to z and shrinks what lies along it.
+/// Returns a rotation of the grain to z with a compression along it.
 Mat3 compression(const Vec3& any_grain, double elongation) {
   const Vec3 grain = any_grain.normalized(), across = grain.unitOrthogonal();
   Mat3 rows;
@@ -17,7 +17,7 @@ Mat3 compression(const Vec3& any_grain, double elongation) {
   return rows;
 }
 
-/// Cells of compressed space as they are in rest space.
+/// Returns cells of compressed space in rest space.
 CellPartition decompressed(CellPartition cells, const Mat3& compression) {
   for (ConvexCell& cell : cells)
     for (CellWall& wall : cell.walls) {
@@ -32,8 +32,8 @@ Eigen::AlignedBox3d transformed(const Mat3& map, const Eigen::AlignedBox3d& box)
   return {Vec3(center - half), Vec3(center + half)};
 }
 
-/// A point in each cell of a lattice, two cells beyond the bounds, so that cells within them are as they would be in an
-/// endless lattice.
+/// Returns a point in each cell of a lattice that extends two cells beyond the bounds, so that cells within them equal
+/// those of an infinite lattice.
 std::vector<Vec3> jittered_lattice(const VoronoiSplinters& pattern, const Eigen::AlignedBox3d& bounds) {
   constexpr double kMargin = 2;
   const Vec3 low = (bounds.min() / pattern.size).array().floor() - kMargin;
@@ -54,7 +54,7 @@ std::vector<Vec3> jittered_lattice(const VoronoiSplinters& pattern, const Eigen:
   return points;
 }
 
-/// A point of a tet between its middle and anywhere in it, where all places are as likely.
+/// Returns a point of a tet between its center and a uniformly random place.
 Vec3 place_in(const TetMesh& mesh, TetId tet, const ShardPattern& pattern) {
   std::array<double, 4> weights;
   double sum = 0;
@@ -65,9 +65,9 @@ Vec3 place_in(const TetMesh& mesh, TetId tet, const ShardPattern& pattern) {
   return place;
 }
 
-/// Which points' Voronoi cells touch, per point: found by Voro++ (Rycroft 2009), whose tolerance is made for points
-/// about one apart.
-std::vector<std::vector<int>> voronoi_neighbours(const std::vector<Vec3>& points, const Eigen::AlignedBox3d& box) {
+/// Returns, per point, the points with adjacent Voronoi cells, found by Voro++ (Rycroft 2009), whose tolerance suits
+/// points about one apart.
+std::vector<std::vector<int>> voronoi_neighbors(const std::vector<Vec3>& points, const Eigen::AlignedBox3d& box) {
   constexpr double kPointsPerBlock = 5;
   constexpr int kBlockMemory = 8;
   const double spacing = std::cbrt(box.volume() / static_cast<double>(points.size()));
@@ -81,16 +81,16 @@ std::vector<std::vector<int>> voronoi_neighbours(const std::vector<Vec3>& points
     const Vec3 point = points[i] / spacing;
     container.put(static_cast<int>(i), point.x(), point.y(), point.z());
   }
-  std::vector<std::vector<int>> neighbours(points.size());
+  std::vector<std::vector<int>> neighbors(points.size());
   voro::voronoicell_neighbor cell;
   voro::c_loop_all loop(container);
   if (loop.start()) do
-      if (container.compute_cell(cell, loop)) cell.neighbors(neighbours[loop.pid()]);
+      if (container.compute_cell(cell, loop)) cell.neighbors(neighbors[loop.pid()]);
     while (loop.inc());
-  return neighbours;
+  return neighbors;
 }
 
-/// The points nearer to `points[of]` than to `points[from]`; exactly opposite when the two change places.
+/// Returns the points nearer to `points[of]` than to `points[from]`; exactly opposite if the two are exchanged.
 HalfSpace nearer(const std::vector<Vec3>& points, int of, int from) {
   const Vec3 &a = points[std::min(of, from)], &b = points[std::max(of, from)];
   const Vec3 normal = (b - a).normalized();
@@ -110,11 +110,11 @@ CellPartition voronoi_cells(std::vector<Vec3> points, const Eigen::AlignedBox3d&
   for (const Vec3& point : points) box.extend(point);
   const Vec3 margin = Vec3::Constant(0.01 * box.diagonal().norm());
   box = Eigen::AlignedBox3d(Vec3(box.min() - margin), Vec3(box.max() + margin));
-  const std::vector<std::vector<int>> neighbours = voronoi_neighbours(points, box);
+  const std::vector<std::vector<int>> neighbors = voronoi_neighbors(points, box);
   CellPartition cells(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     cells[i].splinter = static_cast<int>(i);
-    for (const int j : neighbours[i])
+    for (const int j : neighbors[i])
       if (j >= 0) cells[i].walls.push_back({nearer(points, static_cast<int>(i), j), j});
   }
   return cells;

@@ -51,7 +51,7 @@ std::vector<StepMark> Timeline::marks() const {
   return all;
 }
 
-/// The branch and those it goes back to, the first first.
+/// Returns the branch and its ancestors, the first one first.
 std::vector<int> Timeline::way_to_branch() const {
   std::vector<int> way;
   for (int line = branch_; line >= 0; line = branches_[line].parent) way.push_back(line);
@@ -111,7 +111,7 @@ void Timeline::set_material(int scene_body, const Material& material) {
   do_input({step_, MaterialChange{scene_body, material}});
 }
 
-/// Does it to the world first: what that refuses is no input.
+/// Applies the input to the world first, since a refused input is none.
 void Timeline::do_input(WorldInput input) {
   apply(world_, input);
   ++revision_;
@@ -121,7 +121,7 @@ void Timeline::do_input(WorldInput input) {
   ++inputs_done_;
 }
 
-/// Begins a branch, with what was done at this step already.
+/// Begins a branch with the inputs done at this step.
 void Timeline::begin_branch() {
   Branch next{line_, step_, step_, {}, {}, {}};
   const std::vector<WorldInput>& inputs = branches_[line_].inputs;
@@ -133,7 +133,7 @@ void Timeline::begin_branch() {
   copies_.emplace_back();
 }
 
-/// Finds the branch, or the ancestor of it, to which the next step belongs.
+/// Finds the branch, or its ancestor, that has the next step.
 void Timeline::enter_line() {
   int line = branch_;
   while (step_ < branches_[line].first_step) line = branches_[line].parent;
@@ -142,7 +142,7 @@ void Timeline::enter_line() {
   inputs_done_ = 0;
 }
 
-/// Does what was done before the next step and is not done yet.
+/// Applies known inputs before the next step that are not done yet.
 void Timeline::redo_inputs() {
   enter_line();
   std::vector<WorldInput>& inputs = branches_[line_].inputs;
@@ -152,13 +152,13 @@ void Timeline::redo_inputs() {
   }
 }
 
-/// Of the step after this one.
+/// Returns the needs of the step after this one.
 StepNeeds Timeline::needs_of_step() const {
   const bool is_new = step_ >= last_step();
   return {is_new, is_new && (step_ + 1 - first_step()) % interval_ == 0};
 }
 
-/// Goes on to the step that the world has just made.
+/// Finishes the step that the world has just computed.
 void Timeline::finish_step(StepRecord record, std::size_t cracks_before) {
   inputs_before_ = inputs_done_;
   line_before_ = line_;
@@ -166,13 +166,13 @@ void Timeline::finish_step(StepRecord record, std::size_t cracks_before) {
   ++step_;
   ++revision_;
   if (repeats) {
-    if (step_ == last_step()) redo_inputs();  // the present is as it was left
+    if (step_ == last_step()) redo_inputs();  // restores the present
     return;
   }
   branches_[branch_].last_step = step_;
   branches_[branch_].hashes.push_back(record.hashes);
   mark_step(cracks_before);
-  const bool is_due = (step_ - first_step()) % interval_ == 0;  // copies may have been thinned out meanwhile
+  const bool is_due = (step_ - first_step()) % interval_ == 0;  // copies may have been removed meanwhile
   if (record.copy && is_due) keep_copy(std::move(record.copy));
 }
 
@@ -195,7 +195,7 @@ void Timeline::limit_memory(std::size_t memory) {
   while (used_ > memory_ && interval_ < kMaxInterval) thin_out();
 }
 
-/// Drops every other copy; the start is always kept.
+/// Removes every other copy except the first.
 void Timeline::thin_out() {
   interval_ *= 2;
   const auto goes = [&](const auto& entry) { return (entry.first - first_step()) % interval_ != 0; };
@@ -205,8 +205,8 @@ void Timeline::thin_out() {
     for (const auto& [step, copy] : copies_[branch]) used_ += size_of_copy(branch, step);
 }
 
-/// What a copy takes but for what it shares with the one before it [bytes]: what several share they have had since the
-/// first of them.
+/// Returns the size of a copy without the data that it shares with the copy before it [bytes]. Data that several copies
+/// share were shared since the first of them.
 std::size_t Timeline::size_of_copy(int branch, std::int64_t step) const {
   const auto [at, line] = nearest_copy(branch, step - 1);
   const World *copy = copies_[branch].at(step).get(), *before = copies_[line].at(at).get();
@@ -226,7 +226,7 @@ std::int64_t Timeline::approach(int branch, std::int64_t step) {
     world_ = *copies_[line].at(at);
     step_ = at;
     branch_ = branch;
-    line_ = -1;  // found anew, with all inputs before this step done
+    line_ = -1;  // found again with all inputs before this step done
     enter_line();
     inputs_done_ = static_cast<std::size_t>(
         std::ranges::lower_bound(branches_[line_].inputs, at, {}, &WorldInput::step) - branches_[line_].inputs.begin());
@@ -235,7 +235,7 @@ std::int64_t Timeline::approach(int branch, std::int64_t step) {
   return step;
 }
 
-/// The step of the newest copy on the way to a step of a branch, and the branch that has it.
+/// Returns the step of the newest copy before a step of a branch, and the branch of the copy.
 std::pair<std::int64_t, int> Timeline::nearest_copy(int branch, std::int64_t step) const {
   for (int line = branch; line >= 0; line = branches_[line].parent) {
     const auto after = copies_[line].upper_bound(step);

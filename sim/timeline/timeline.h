@@ -13,29 +13,29 @@
 
 namespace griffith {
 
-/// Does to a world what was done. Throws as World::fire() and World::set_material() do. What it read from a file is
-/// part of the input afterwards.
+/// Applies an input to a world. Throws as World::fire() and World::set_material() do. Data read from a file become part
+/// of the input.
 void apply(World& world, WorldInput& input);
 
-/// What happened in a step, for a mark on the bar of time.
+/// Events of a step, for a mark on the timeline.
 struct StepMark {
   std::int64_t step = 0;
-  double time = 0;  ///< [s], at its end
+  double time = 0;  ///< time at the end of the step [s]
   int cracks = 0, impacts = 0;
-  bool alarm = false;  ///< a solve without convergence, or values that broke down
+  bool alarm = false;  ///< a solve did not converge, or values became invalid
 };
 
-/// What of a step a timeline does not have yet.
+/// Data of a step that a timeline does not have yet.
 struct StepNeeds {
   bool hashes = false, copy = false;
 };
-/// That, where it was needed.
+/// Data of a step, as far as needed.
 struct StepRecord {
   StateHashes hashes = {};
-  std::shared_ptr<const World> copy;  ///< of the world after the step
+  std::shared_ptr<const World> copy;  ///< world after the step
 };
 
-/// A world before a step, with all that was to be done, and after it. Which thread makes the step is all the same.
+/// World before a step, with all inputs applied. The step may be computed on any thread.
 struct NextStep {
   World world;
   StepNeeds needs;
@@ -46,66 +46,66 @@ struct MadeStep {
 };
 MadeStep make_step(NextStep next);
 
-/// A line of steps. All but the first begin at a step of another, where something else was done.
+/// Line of steps. All but the first begin at a step of another branch, where an input differed.
 struct Branch {
   int parent = -1;
   std::int64_t first_step = 0, last_step = 0;
-  std::vector<WorldInput> inputs;   ///< since first_step, in their order
-  std::vector<StepMark> marks;      ///< of steps after first_step in which anything happened
-  std::vector<StateHashes> hashes;  ///< of the steps after first_step, as they were made first
+  std::vector<WorldInput> inputs;   ///< inputs since first_step, in order
+  std::vector<StepMark> marks;      ///< marks of the steps after first_step with events
+  std::vector<StateHashes> hashes;  ///< hashes of the steps after first_step, from their first computation
 };
 
-/// A world with its past. Every step of it can be gone back to, to the bit: from the nearest copy of the world on, the
-/// steps and inputs after it are done again. Copies are kept at equal intervals, which double where they would take
-/// more memory than allowed. Going on from the past repeats what was; doing something else there begins a branch.
+/// World with its past. Every step can be restored to the bit: the steps and inputs after the nearest earlier copy of
+/// the world are computed again. Copies are kept at equal intervals, which double when the memory limit is reached.
+/// Steps from the past repeat the branch, and a different input there begins a new branch.
 class Timeline {
  public:
-  /// The past starts with `world`, as it is. `memory`: for copies of the world, about [bytes].
+  /// Starts the past with `world` in its present state. `memory`: approximate limit for copies of the world [bytes].
   explicit Timeline(World world, std::size_t memory = std::size_t{768} << 20);
 
   const World& world() const { return world_; }
-  /// Branches by their numbers; 0 is the first.
+  /// Branches by number; 0 is the first.
   std::span<const Branch> branches() const { return branches_; }
   int branch() const { return branch_; }
   std::int64_t step() const { return step_; }
-  /// Bounds of the branch, its parents' part included.
+  /// Bounds of the branch, including its parents' part.
   std::int64_t first_step() const { return branches_.front().first_step; }
   std::int64_t last_step() const { return branches_[branch_].last_step; }
-  /// What happened on the way to the end of the branch, its parents' part included, by step.
+  /// Returns the marks up to the end of the branch, including its parents' part, by step.
   std::vector<StepMark> marks() const;
-  /// What was done on the way to the end of the branch, in its order.
+  /// Returns the inputs up to the end of the branch, in order.
   std::vector<WorldInput> inputs() const;
-  /// What the steps on the way to the end of the branch left, first_step() first, as they were made first.
+  /// Returns the hashes of the steps up to the end of the branch from their first computation, first_step() first.
   std::vector<StateHashes> hashes() const;
 
-  /// Makes a step: the one that was made before, where there is one. `before`, if any, becomes a copy of the world as
-  /// it was before the step, with all that was done to it.
+  /// Computes a step, or repeats it if it is known. `before`, if given, becomes a copy of the world before the step
+  /// with all inputs applied.
   void advance(std::optional<World>* before = nullptr);
-  /// The same in two parts, between which make_step() may be called elsewhere: on a copy of the world,
+  /// Begins the same in two parts: make_step() may be called elsewhere on the returned copy of the world.
   NextStep before_step();
-  /// and to what that made the timeline goes on. Nothing else may have been done since. Returns the world as it was
-  /// before the step.
+  /// Continues with the result of make_step(). The timeline must not have changed since before_step(). Returns the
+  /// world before the step.
   World take_step(MadeStep made);
-  /// Takes the step back that advance() has just made, which gave `before`. It stays known.
+  /// Takes back the step just computed by advance(), which set `before`. The step stays known.
   void take_back(World before);
-  /// As World has them; a branch begins where steps or inputs after this one are known.
+  /// As in World. A branch begins if steps or inputs after this one are known.
   void fire(const ProjectileBurst& burst);
   void set_material(int scene_body, const Material& material);
-  /// Goes to a step of a branch, between first_step() and the branch's last. Others are clamped.
+  /// Goes to a step of a branch, clamped to first_step() and the branch's last.
   void go_to(int branch, std::int64_t step);
   void go_to(std::int64_t step) { go_to(branch_, step); }
-  /// Begins to go there: to the nearest copy of the world, or not at all where that is further. advance(), again and
-  /// again, leads on to the step, which is returned.
+  /// Starts to go there, from the nearest copy of the world or from the present if that is closer. Returns the step,
+  /// which repeated calls of advance() reach.
   std::int64_t approach(int branch, std::int64_t step);
-  /// Lets copies of the world take so many bytes, about, from now on.
+  /// Sets the approximate limit for copies of the world [bytes].
   void limit_memory(std::size_t memory);
 
-  /// Changes whenever the world does.
+  /// Returns a number that changes with the world.
   std::int64_t revision() const { return revision_; }
 
-  /// How many steps are between copies of the world.
+  /// Returns the number of steps between copies of the world.
   std::int64_t interval() const { return interval_; }
-  /// Bytes that copies take, about; what they share counts once.
+  /// Returns the approximate size of all copies [bytes]. Shared data count once.
   std::size_t memory_used() const { return used_; }
 
  private:
@@ -130,10 +130,10 @@ class Timeline {
   std::int64_t interval_ = 8;
   std::vector<Branch> branches_;
   std::vector<std::map<std::int64_t, std::shared_ptr<const World>>>
-      copies_;                 ///< per branch, by step: before its inputs of that step
-  int branch_ = 0, line_ = 0;  ///< the second: it, or the ancestor to which the next step belongs
+      copies_;                 ///< per branch, by step: copies before the step's inputs
+  int branch_ = 0, line_ = 0;  ///< branch; line: the branch or its ancestor that has the next step
   std::int64_t step_ = 0, revision_ = 0;
-  std::size_t inputs_done_ = 0;  ///< of the line
+  std::size_t inputs_done_ = 0;  ///< number of the line's inputs that are done
   int line_before_ = 0;          ///< both, before the last step
   std::size_t inputs_before_ = 0;
 };

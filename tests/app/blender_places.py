@@ -19,11 +19,11 @@ bpy.ops.import_scene.gltf(filepath=glb)
 found = {}
 for name, frame in (("first", 0), ("last", int(last))):
     scene.frame_set(frame)
-    for thing in scene.objects:
-        seen = thing.evaluated_get(bpy.context.evaluated_depsgraph_get())
-        corners = [thing.matrix_world @ vertex.co for vertex in seen.to_mesh().vertices]
-        x, y, z = thing.matrix_world.translation
+    for item in scene.objects:
+        seen = item.evaluated_get(bpy.context.evaluated_depsgraph_get())
+        corners = [item.matrix_world @ vertex.co for vertex in seen.to_mesh().vertices]
+        x, y, z = item.matrix_world.translation
         low = [min(c.x for c in corners), min(c.z for c in corners), min(-c.y for c in corners)]
-        found.setdefault(thing.name, {}).update({name: [x, z, -y], name + "_low": low})
+        found.setdefault(item.name, {}).update({name: [x, z, -y], name + "_low": low})
 with open(places, "w") as file:
     json.dump(found, file)

@@ -208,7 +208,7 @@ TEST(CommandLine, PipesAndDevicesAreNoInput) {
         std::string("check /dev/zero"), "mesh " + pipe.string() + " -o " + (test_folder() / "a.msh").string()}) {
     const Outcome outcome = run_program(arguments, "timeout 20");
     EXPECT_EQ(outcome.code, 2) << arguments;
-    EXPECT_THAT(outcome.output, HasSubstr("is no regular file")) << arguments;
+    EXPECT_THAT(outcome.output, HasSubstr("is not a regular file")) << arguments;
   }
 }
 

@@ -25,7 +25,7 @@ class EditorEntries : public EditorTest {
     draw();
     wait_for_work();
   }
-  /// Whether or not the list shows it.
+  /// Selects an entry even if the list does not show it.
   void choose(const ui::SceneEntry& entry) {
     ui::choose_entries(editor_.state(), editor_.scene(), {entry});
     draw(2);

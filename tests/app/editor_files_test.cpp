@@ -92,7 +92,7 @@ TEST_F(EditorFiles, AnotherFileIsReplacedOnlyWhenToldSo) {
   draw(4);
   EXPECT_EQ(text_of(other), "not to be lost");
   EXPECT_EQ(value("save/name"), "other.json") << "asks for another name";
-  EXPECT_EQ(value("save/small_wall.json"), "small_wall.json") << "tells which are there";
+  EXPECT_EQ(value("save/small_wall.json"), "small_wall.json") << "shows existing files";
   click("save/save");
   draw(4);
   click("replace/replace");

@@ -85,7 +85,7 @@ class EditorTest : public ::testing::Test {
     draw();
   }
 
-  /// How many of 100 places from the left end of the picture's middle row to the right show a body.
+  /// Returns the number of 100 places from the left to the right end of the picture's middle row that show a body.
   int hits_across() {
     int hits = 0;
     for (int i = 0; i < 100; ++i) {

@@ -19,7 +19,7 @@ Scene slow_wall() {
   return scene;
 }
 
-/// Of pictures without shards.
+/// Compares pictures without shards.
 void expect_same(const render::DrawScene& picture, const render::DrawScene& expected) {
   EXPECT_EQ(picture.surface.positions, expected.surface.positions);
   EXPECT_EQ(picture.surface.scalars, expected.surface.scalars);
@@ -52,7 +52,7 @@ class PaceTest : public EditorTest {
     editor_.state().running = false;
     draw();
   }
-  /// Whether the picture shows the state and the view that there are, once the world has followed what was done.
+  /// Checks that the picture shows the present state and view, after the world has caught up.
   void expect_picture_of_what_is_shown() {
     draw(2);
     const ui::EditorState& state = editor_.state();

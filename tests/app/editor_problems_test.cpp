@@ -29,7 +29,7 @@ class EditorProblems : public EditorTest {
  protected:
   explicit EditorProblems(const Scene& scene = faulty()) : EditorTest(scene) {}
 
-  /// The row of the list that tells of it.
+  /// Returns the row of the list with that text.
   std::string row_with(const std::string& text) {
     for (const ui::WidgetTag& tag : editor_.tags())
       if (tag.name.starts_with("problems/") && tag.value.find(text) != std::string::npos) return tag.name;

@@ -228,7 +228,7 @@ TEST_F(TimeTest, HoldingTheRightButtonAimsAndLettingGoFires) {
   press_key(ui::key::kEscape);
   hold(false);
   editor_.step();
-  EXPECT_EQ(editor_.frame().projectiles.size(), shots) << "Escape gave up";
+  EXPECT_EQ(editor_.frame().projectiles.size(), shots) << "Escape cancelled it";
   hold(true);
   hold(false);
   EXPECT_EQ(value("aim/readout"), "no widget aim/readout");

@@ -182,7 +182,7 @@ Vec3 low_corner(const BakedObject& object, std::size_t frame) {
   return box.min();
 }
 
-/// What Blender, which has z up, finds in the file: where objects are first and last, and their points then.
+/// Compares first and last places of objects, and their last points, as Blender reads them (z is up).
 TEST(ExportCommand, BlenderFindsEveryThingWhereItIs) {
   if (std::system(
           "blender -b --python-expr 'import numpy' 2>&1 | grep -q 'No module' || ! command -v blender >/dev/null") == 0)

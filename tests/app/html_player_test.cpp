@@ -69,7 +69,7 @@ Bake flying_blocks() {
   return bake;
 }
 
-/// What stands in the data element of that id.
+/// Returns the content of the data element of that id.
 std::string data_of(const std::string& page, const std::string& id) {
   const std::string start = "id=\"" + id + "\">";
   const std::size_t at = page.find(start) + start.size();
@@ -128,7 +128,7 @@ TEST(HtmlPlayer, HoldsTheNumbersOfTheBake) {
   EXPECT_EQ(index, indices.size());
 }
 
-/// What the script leaves after it has run in the page, in a browser without a window.
+/// Returns the result of the script after it has run in the page, in a browser without a window.
 Json in_browser(const std::string& name, const Bake& bake, const std::string& script, const std::string& hash = "") {
   std::string page = html_player(bake);
   page.insert(page.rfind("</body>"), R"(<pre id="result"></pre><script>

@@ -42,7 +42,7 @@ void expect_none(const std::string& folder, const std::string& forbidden) {
   }
 }
 
-/// What matches `library` is included in files that match `files` alone.
+/// Checks that headers matching `library` are included only in files that match `files`.
 void expect_only_in(const std::string& library, const std::string& files) {
   const std::regex pattern(library), allowed(files);
   for (const char* folder : {"sim", "renderer", "ui", "app"}) {
@@ -151,7 +151,7 @@ TEST(IncludeRules, LowerFoldersOfTheProgramKnowNoHigherOnes) {
                             {"app/cli", "^app/.*$"}});
 }
 
-/// What is printed may hold names from files of somebody else's: it goes through print(), which escapes it.
+/// Printed text may contain names from files of strangers, so it goes through print(), which escapes it.
 TEST(IncludeRules, WhatIsPrintedIsEscaped) {
   static const std::regex kRaw("std::(printf|fprintf|fputs|puts|putchar|cout|cerr|clog)\\b");
   static const std::regex kAllowed("/(output/output|shared/progress)\\.cpp$");
@@ -174,7 +174,7 @@ TEST(IncludeRules, RegressionKnowsNeitherWorldsNorDrawing) {
     expect_none("app/regress", forbidden);
 }
 
-/// Two types of one name in one namespace break the rule of one definition, and no linker tells.
+/// Two types of one name in one namespace violate the one-definition rule, and no linker reports it.
 TEST(IncludeRules, NoTypeHasTheNameOfAnother) {
   static const std::regex kNamespace("^namespace ([\\w:]+) \\{"),
       kType("^(?:struct|class) (\\w+)( final)?( : .*)? \\{");

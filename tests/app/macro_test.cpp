@@ -8,6 +8,7 @@
 #include "editor_fixture.h"
 #include "sim/core/error.h"
 #include "sim/scene/scene_writer.h"
+#include "tests/input_error_of.h"
 
 namespace griffith::app {
 namespace {
@@ -176,12 +177,7 @@ TEST_F(MacroTest, AScriptPlaysMacrosButNoneThatPlaysItself) {
 
 TEST_F(MacroTest, LinesThatDoNotFitTheSceneAreNamed) {
   const auto failure = [&](const std::string& line) -> std::string {
-    try {
-      play_script(parse_script(line, "a.script"));
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "none";
+    return input_error_of([&] { play_script(parse_script(line, "a.script")); });
   };
   const std::string before = scene_text();
   EXPECT_THAT(failure("set bodies/7/name x"), HasSubstr("a.script:1"));

@@ -34,7 +34,7 @@ std::vector<fs::path> texts() {
   return found;
 }
 
-/// What `text` refers to by "../", as seen from its folder, that is not within the project.
+/// Returns references by "../" in `text`, seen from its folder, that lead outside the project.
 std::vector<std::string> ways_out(const fs::path& folder, const std::string& text) {
   static const std::regex kUpwards(R"((\.\./)+[\w.-]*)");
   std::vector<std::string> found;

@@ -7,6 +7,7 @@
 #include "app/editor/recent_files.h"
 #include "editor_fixture.h"
 #include "sim/core/read_file.h"
+#include "tests/input_error_of.h"
 
 namespace griffith::app {
 namespace {
@@ -43,12 +44,7 @@ TEST(Preferences, AreWrittenOnlyWhereTheyChanged) {
 }
 
 std::string problem_of_preferences(const std::string& text) {
-  try {
-    PreferencesFile(test_file("preferences.json", text)).read();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no problem";
+  return input_error_of([&] { PreferencesFile(test_file("preferences.json", text)).read(); });
 }
 
 TEST(Preferences, DamagedFilesAreToldOf) {
@@ -58,7 +54,7 @@ TEST(Preferences, DamagedFilesAreToldOf) {
   EXPECT_THAT(problem_of_preferences("{\"ui_scale\": \"big\"}"), HasSubstr("from 0.75 to 3"));
   EXPECT_THAT(problem_of_preferences("{\"invert_zoom\": 1}"), HasSubstr("true or false"));
   EXPECT_THAT(problem_of_preferences("{\"plotted\": [\"pieces\"]}"), HasSubstr("6 names of series"));
-  EXPECT_EQ(problem_of_preferences("{\"of a later version\": 1}"), "no problem");
+  EXPECT_EQ(problem_of_preferences("{\"of a later version\": 1}"), "no error");
 }
 
 TEST(RecentFiles, TheNewestIsFirstOnceAndWhatIsGoneIsPassedBy) {

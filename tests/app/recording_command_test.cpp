@@ -106,9 +106,9 @@ TEST(RecordingCommand, WrongUsageAndFilesAreTold) {
   EXPECT_EQ(run_program("replay " + quoted(test_folder() / "none")).code, 2);
   const Outcome of_scene = run_program("replay " + scene);
   EXPECT_EQ(of_scene.code, 2);
-  EXPECT_THAT(of_scene.output, HasSubstr("is no whole recording"));
+  EXPECT_THAT(of_scene.output, HasSubstr("is not a complete recording"));
   const Outcome unwritable = run_program("simulate " + scene + " --frames 1000000 --record /nowhere/run");
-  EXPECT_EQ(unwritable.code, 2) << "told before the run";
+  EXPECT_EQ(unwritable.code, 2) << "reported before the run";
   EXPECT_EQ(run_program("bundle " + scene + " -o /nowhere/run").code, 2);
   const Outcome frames =
       run_program("bundle " + quoted(recorded_wall(2)) + " --frames 3 -o " + quoted(test_folder() / "x"));

@@ -18,8 +18,8 @@ using ::testing::ElementsAre;
 const ui::PlotChoice kChosen = {"energy.kinetic",  "pieces",           "contacts",
                                 "energy.contacts", "peak_utilization", "energy.projectiles"};
 
-/// What curves have to say of a frame.
-std::vector<double> told_of(const Frame& frame) {
+/// Returns the values that curves should have at a frame.
+std::vector<double> values_of(const Frame& frame) {
   return {frame.energy.kinetic,
           static_cast<double>(frame.bodies.size()),
           static_cast<double>(frame.report.contacts),
@@ -42,13 +42,13 @@ class RunHistoryTest : public ::testing::Test {
     history_.record(timeline_);
   }
 
-  /// What the world says of each of so many steps.
+  /// Returns the values of the world at each of `count` steps.
   std::vector<std::vector<double>> make_steps(int count) {
     std::vector<std::vector<double>> told;
     for (int i = 0; i < count; ++i) {
       timeline_.advance();
       history_.record(timeline_);
-      told.push_back(told_of(timeline_.world().frame()));
+      told.push_back(values_of(timeline_.world().frame()));
     }
     return told;
   }

@@ -58,7 +58,7 @@ TEST(ScalingLabel, SaysWhatBrokeScaled) {
 
 class LegendCornerTest : public ::testing::Test {
  protected:
-  /// What share of its card the legend covers of the scene's first picture.
+  /// Returns the fraction of its card that the legend covers in the scene's first picture.
   float covered(const std::string& scene_file, ui::LegendCorner* chosen = nullptr) {
     const Scene scene = read_scene(std::filesystem::path(GRIFFITH_SOURCE_DIR) / "scenes" / scene_file);
     const World world(scene);

@@ -12,6 +12,7 @@
 #include "sim/core/read_file.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/scene/scene_writer.h"
+#include "tests/input_error_of.h"
 
 namespace griffith::app {
 namespace {
@@ -19,12 +20,7 @@ namespace {
 using ::testing::HasSubstr;
 
 std::string problem_of(const std::string& text) {
-  try {
-    parse_script(text, "a.script");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no problem";
+  return input_error_of([&] { parse_script(text, "a.script"); });
 }
 
 TEST(Script, ReadsEveryVerb) {
@@ -96,12 +92,7 @@ class ScriptPlayerTest : public EditorTest {
   }
 
   std::string failure_of(const std::string& text) {
-    try {
-      play_script(text);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no failure";
+    return input_error_of([&] { play_script(text); });
   }
 };
 
@@ -237,7 +228,7 @@ class RandomActions : public EditorTest {
     draw();
   }
 
-  /// Of what is opened, saved, recorded or exported: some are there, some are damaged, some cannot be.
+  /// Returns a path to open, save, record or export: some exist, some are damaged, some are impossible.
   std::filesystem::path any_path() {
     const std::filesystem::path paths[] = {
         "any.json",
@@ -258,7 +249,7 @@ class RandomActions : public EditorTest {
     return paths[below(std::size(paths))];
   }
 
-  /// Nothing that was meant to be temporary is left, and no file is cut short.
+  /// Checks that no temporary file is left, and no file is truncated.
   static void check_files() {
     for (const auto& entry : std::filesystem::directory_iterator(".")) {
       EXPECT_FALSE(entry.path().filename().string().starts_with(".griffith_")) << entry.path();

@@ -27,7 +27,7 @@ std::string percent(double utilization) { return ui::format_quantity(100 * utili
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// What the verdict on a node says, held against what the frame holds.
+/// Checks the sentences of the verdict on a node against the frame.
 void expect_true(const Verdict& verdict, const NodeReport& report, const Frame& frame, bool comes) {
   const std::string& text = verdict.text;
   const NodeSeparation& separation = report.separation;

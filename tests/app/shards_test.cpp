@@ -81,7 +81,7 @@ Scene ball(double strength) {
   return scene;
 }
 
-/// What all pieces of a frame show together.
+/// Totals of all pieces in a frame's picture.
 struct SeenPieces {
   double volume = 0;       ///< [m³]
   double unseen_part = 0;  ///< share of the mass whose pieces own no shard
@@ -282,7 +282,7 @@ TEST(Shards, OfGlassLieRoundItsFirstCrackWhereverThatIs) {
   follow_first_cracks(display, world.frame(), scene);
   const auto after = display.natural.mesh;
   EXPECT_NE(after, before);
-  double nearest = 1, middle = 0;  // mean distance of the shards from the blow, of small ones and of all
+  double nearest = 1, middle = 0;  // mean distance of the shards from the impact, of small ones and of all
   double small = std::numeric_limits<double>::infinity();
   const SplinterSet& set = display.shards.set();
   for (const Splinter& shard : set.splinters) {

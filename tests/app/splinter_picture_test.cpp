@@ -141,7 +141,7 @@ TEST(SkinPicture, TheSurfaceStandsWhereItsTetsAreAndNoTriangleSpansTwoBodies) {
   EXPECT_FALSE(drawn().embedded.closed);
 }
 
-/// Of a surface that is smooth, neighbors have a common normal; an edge of a cube is none.
+/// Neighbors of a smooth surface share a normal; those at an edge of a cube do not.
 TEST(SkinPicture, CornersHaveTheSurfacesNormals) {
   const Scene scene = cube_of_surface(1);
   const World world(scene);

@@ -110,7 +110,7 @@ TEST(Statistics, SumsAndLargestValuesOverSteps) {
   EXPECT_NEAR(stats["ms"]["step"]["p99"].get<double>(), 99, 0.51);
 }
 
-/// Of pieces that broke scaled long before the last step.
+/// Pieces broke scaled long before the last step.
 TEST(Statistics, WhatBrokeScaledIsCountedAtTheEnd) {
   ScaledImpact slow, slower;
   slow.factor = 0.5;

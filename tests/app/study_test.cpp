@@ -9,26 +9,17 @@
 #include "app/study/proportion.h"
 #include "app/study/run_request.h"
 #include "app/study/sweep_plan.h"
-#include "sim/core/error.h"
+#include "tests/input_error_of.h"
 
 namespace griffith::app {
 namespace {
-
-/// The message of the InputError that `act` throws; empty where it throws none.
-template <class Act>
-std::string complaint(const Act& act) try {
-  act();
-  return {};
-} catch (const InputError& error) {
-  return error.what();
-}
 
 using Values = std::vector<std::string>;
 
 Values values_in(const std::string& text) { return read_parameter("a/b=" + text, "--vary").values; }
 
 std::string complaint_about(const std::string& text) {
-  return complaint([&] { read_parameter(text, "--vary"); });
+  return input_error_of([&] { read_parameter(text, "--vary"); });
 }
 
 TEST(Parameter, RangesReachBothEndsEvenly) {
@@ -74,24 +65,24 @@ TEST(SweepPlan, IsTheProductWithTheLastParameterFastest) {
 }
 
 TEST(SweepPlan, RefusesWhatItCannotMake) {
-  EXPECT_NE(complaint([] { make_plan({read_parameter("a=1:2", "")}, 0, 1); }).find("--latin-hypercube"),
+  EXPECT_NE(input_error_of([] { make_plan({read_parameter("a=1:2", "")}, 0, 1); }).find("--latin-hypercube"),
             std::string::npos);
-  EXPECT_NE(complaint([] { make_plan({read_parameter("a=1,2", "")}, 5, 1); }).find("no range"), std::string::npos);
-  EXPECT_NE(complaint([] {
+  EXPECT_NE(input_error_of([] { make_plan({read_parameter("a=1,2", "")}, 5, 1); }).find("no range"), std::string::npos);
+  EXPECT_NE(input_error_of([] {
               make_plan({read_parameter("a=1,2", ""), read_parameter("/a=3", "")}, 0, 1);
             }).find("repeated"),
             std::string::npos);
-  EXPECT_NE(complaint([] {
+  EXPECT_NE(input_error_of([] {
               make_plan({read_parameter("a=1:2:1000", ""), read_parameter("b=1:2:1000", "")}, 0, 1);
             }).find("100,000"),
             std::string::npos);
   const auto order = [](const char* first, const char* second) {
     make_plan({read_parameter(first, ""), read_parameter(second, "")}, 0, 1);
   };
-  EXPECT_NE(complaint([&] { order("a/material/density=1,2", "a/material=brick,oak"); }).find("overrides"),
+  EXPECT_NE(input_error_of([&] { order("a/material/density=1,2", "a/material=brick,oak"); }).find("overrides"),
             std::string::npos);
-  EXPECT_EQ(complaint([&] { order("a/material=brick,oak", "a/material/density=1,2"); }), "");
-  EXPECT_EQ(complaint([&] { order("a/b=1,2", "a/bc=1,2"); }), "");
+  EXPECT_EQ(input_error_of([&] { order("a/material=brick,oak", "a/material/density=1,2"); }), "no error");
+  EXPECT_EQ(input_error_of([&] { order("a/b=1,2", "a/bc=1,2"); }), "no error");
 }
 
 TEST(SweepPlan, LatinHypercubeHasEachStratumOfEachAxisOnce) {
@@ -126,7 +117,7 @@ TEST(SweepPlan, SamplesRangesTogetherAndCombinesThemWithLists) {
 TEST(SweepPlan, SeedsGoToEveryBodyOfRandomStrength) {
   Scene scene;
   scene.bodies.resize(3);
-  EXPECT_NE(complaint([&] { seed_parameter(scene, 2); }).find("random strength"), std::string::npos);
+  EXPECT_NE(input_error_of([&] { seed_parameter(scene, 2); }).find("random strength"), std::string::npos);
   scene.bodies[0].strength_scatter.emplace();
   scene.bodies[2].strength_scatter.emplace();
   const Parameter seeds = seed_parameter(scene, 3);
@@ -166,7 +157,7 @@ TEST(Expression, WhatNeverCameIsLaterThanAnyTime) {
 }
 
 TEST(Expression, RefusalsNameThePlace) {
-  const auto refusal = [](const char* text) { return complaint([&] { read_expression(text, "--outcome"); }); };
+  const auto refusal = [](const char* text) { return input_error_of([&] { read_expression(text, "--outcome"); }); };
   EXPECT_NE(refusal("piecs > 1").find("did you mean \"pieces\""), std::string::npos);
   EXPECT_NE(refusal("pieces >> 1").find("a number before \"> 1\""), std::string::npos);
   EXPECT_NE(refusal("pieces 1").find("before \"1\""), std::string::npos);
@@ -204,7 +195,7 @@ TEST(Proportion, WilsonsIntervalAgainstClosedValues) {
   expect(0, 0, 0, 1);
 }
 
-/// What holds at some values, with a count of how often it is asked.
+/// Condition that holds at some values, with a count of calls.
 struct Asked {
   std::function<bool(double)> holds;
   int count = 0;
@@ -301,9 +292,9 @@ TEST(RunRecord, ComesBackAsItWas) {
   EXPECT_EQ(back[0], -kNever);
   EXPECT_TRUE(std::isnan(back[1])) << back[1];
   EXPECT_EQ(record_from_json(record_json({{}, "a \"bad\" end\xff"}), "").error.substr(0, 11), "a \"bad\" end");
-  EXPECT_NE(complaint([] { record_from_json("{\"outcomes\": {\"pieces\": 1", "x.json"); }).find("x.json"),
+  EXPECT_NE(input_error_of([] { record_from_json("{\"outcomes\": {\"pieces\": 1", "x.json"); }).find("x.json"),
             std::string::npos);
-  EXPECT_NE(complaint([] { record_from_json("{\"outcomes\": {\"pieces\": 1}}", "x.json"); }).find("fragments"),
+  EXPECT_NE(input_error_of([] { record_from_json("{\"outcomes\": {\"pieces\": 1}}", "x.json"); }).find("fragments"),
             std::string::npos);
 }
 

@@ -123,8 +123,8 @@ int run_until_records(const std::string& sweep, const fs::path& folder, std::siz
       .code;
 }
 
-/// Killed at random moments, and gone on with until it comes to its end, a sweep ends with the table of one that nobody
-/// disturbed, and no run that was done is made again.
+/// A sweep that is killed at random moments and continued to its end has the table of an undisturbed one, and no
+/// finished run is repeated.
 TEST(SweepCommand, ThatIsKilledLosesNothingAndDoesNothingTwice) {
   const fs::path scene = small_wall_file(), calm = fresh_folder("calm"), killed = fresh_folder("killed");
   const std::string plan = "--frames 20 --vary projectiles/0/speed=5:60:8 --vary bodies/0/material/density=1500,2500";

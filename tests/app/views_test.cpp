@@ -105,7 +105,7 @@ int pixels_like(const render::Image& image, const render::Rgb& color) {
 
 struct LayerCase {
   const char* name;
-  render::Rgb color;  ///< of its signs
+  render::Rgb color;  ///< color of its symbols
   bool struck;        ///< shown when the wall is struck, else when it has broken
 };
 

@@ -43,7 +43,7 @@ TEST(WorldLoader, CancelReturnsAtOnceHoweverSeldomTheWorkAsks) {
   loader.start(LoadReason::follow, scene_of(SphereShape{}), "", kAnyMany);
   EXPECT_LT(seconds_since(start), 0.3);
   ASSERT_TRUE(loader.wait(60));
-  EXPECT_TRUE(std::holds_alternative<SphereShape>(loader.take()->scene.bodies[0].shape)) << "not what was given up";
+  EXPECT_TRUE(std::holds_alternative<SphereShape>(loader.take()->scene.bodies[0].shape)) << "not the cancelled one";
   end.set_value();
 }
 

@@ -42,7 +42,7 @@ const Vec3 kBrick(0.12, 0.08, 0.1);
 Vec3 brick_place(int i) { return {0.17 * (i % 10 - 4.5), 0.2 + 0.17 * (i / 100), 0.17 * (i / 10 % 10 - 4.5)}; }
 Vec3 brick_turn(int i) { return Vec3(37 * i % 60 - 30, 53 * i % 90 - 45, 71 * i % 60 - 30); }
 
-/// Of a material too strong to break.
+/// Returns bricks of a material too strong to break.
 Scene falling_bricks(int count) {
   Scene scene;
   for (int i = 0; i < count; ++i) {

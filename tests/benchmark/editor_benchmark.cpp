@@ -1,6 +1,6 @@
-// What the editor itself does for a step while 54,080 tets sway. The window's thread: follow_step, upload, panels; a
-// thread in the background after the step: hashes, make_picture. Drawing is apart: on software GL it takes more than
-// all of this.
+// Work of the editor itself for a step with 54,080 deformable tets. On the window's thread: follow_step, upload,
+// panels; on a background thread after the step: hashes, make_picture. Drawing is separate: on software GL it takes
+// more than all of this.
 #include <benchmark/benchmark.h>
 #include <imgui.h>
 
@@ -39,8 +39,8 @@ void copy_world(benchmark::State& state) {
 }
 BENCHMARK(copy_world)->Unit(benchmark::kMillisecond);
 
-/// What the window's thread does for a step in the background, but for drawing and panels: all that follows the last
-/// one, and a copy of the world for the next. Sleep takes no processor time.
+/// Measures the work of the window's thread for a step in the background, without drawing and panels: handling of the
+/// last one, and a copy of the world for the next. Sleep takes no processor time.
 void follow_step(benchmark::State& state) {
   const render::EglContext context(std::nullopt);
   Editor editor(swaying_wall(), "");
@@ -56,7 +56,7 @@ void follow_step(benchmark::State& state) {
 }
 BENCHMARK(follow_step)->Unit(benchmark::kMillisecond);
 
-/// What is hashed of a step for the timeline.
+/// Measures the hashes of a step for the timeline.
 void hashes(benchmark::State& state) {
   const World world = swinging_world();
   for (auto _ : state) benchmark::DoNotOptimize(world.state_hashes());

@@ -1,5 +1,5 @@
-// What a picture of 1280×720 costs the renderer, in natural colours, some time after the blow; and one of a plate of
-// 100,000 triangles. LP_NUM_THREADS=0 keeps software GL on one thread.
+// Cost for the renderer of a picture of 1280×720 in natural colors, some time after the impact; and of one of a plate
+// of 100,000 triangles. LP_NUM_THREADS=0 keeps software GL on one thread.
 #include <benchmark/benchmark.h>
 
 #include "app/picture/draw_scene_from_frame.h"
@@ -19,14 +19,14 @@ Scene scene_of(const std::string& name) {
   return read_scene(std::filesystem::path(GRIFFITH_SOURCE_DIR) / "scenes" / (name + ".json"));
 }
 
-/// The wall that sways, of elements of this size [m].
+/// Returns a deformable wall with elements of this size [m].
 Scene swaying_wall(const Vec3& element_size) {
   Scene scene = scene_of("validation/swaying_wall");
   std::get<BoxShape>(scene.bodies[0].shape).element_size = element_size;
   return scene;
 }
 
-/// What is drawn after so many steps of a scene.
+/// Scene to draw after some steps.
 struct Subject {
   Subject(Scene shown, int steps, PictureQuality quality) : scene(std::move(shown)) {
     scene.view.quality = quality;

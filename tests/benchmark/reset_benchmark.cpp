@@ -45,7 +45,7 @@ World broken_slab() {
   return world;
 }
 
-/// What the editor does.
+/// Resets as the editor does.
 void reset(World& world, const Scene& scene) {
   world = World(scene);
   const app::EmbeddedDisplay display = app::embedded_display(world.frame(), scene);

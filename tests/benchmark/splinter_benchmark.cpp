@@ -121,7 +121,7 @@ void hand_to_renderer(benchmark::State& state) {
 }
 BENCHMARK(hand_to_renderer)->Arg(10)->Arg(27)->Unit(benchmark::kMillisecond);
 
-/// What a frame uploads while no new wall opens.
+/// Measures the upload of a frame without new open walls.
 void upload(benchmark::State& state) {
   const render::EglContext context(std::nullopt);
   render::EmbeddedPass pass;

@@ -5,7 +5,7 @@
 
 namespace griffith::testing {
 
-/// Corners of a tet of the size of a metre, not too flat.
+/// Returns corners of a tet of about a meter, not too flat.
 inline Corners random_corners(RandomValues& random) {
   for (;;) {
     Corners corners;
@@ -15,7 +15,7 @@ inline Corners random_corners(RandomValues& random) {
   }
 }
 
-/// Every corner moved by up to `size` along each axis [m].
+/// Returns corners moved by up to `size` along each axis [m].
 inline Corners shaken(Corners corners, RandomValues& random, double size) {
   for (int i = 0; i < 4; ++i) corners.col(i) += random.vector(size);
   return corners;

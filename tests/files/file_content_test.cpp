@@ -4,6 +4,7 @@
 
 #include "sim/core/error.h"
 #include "test_folder.h"
+#include "tests/input_error_of.h"
 
 namespace griffith {
 namespace {
@@ -12,12 +13,7 @@ using ::testing::HasSubstr;
 using namespace griffith::testing;
 
 std::string error_of(const std::string& name, std::string_view content) {
-  try {
-    require_expected_content(name, content);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return input_error_of([&] { require_expected_content(name, content); });
 }
 
 constexpr char kPointer[] = "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n";

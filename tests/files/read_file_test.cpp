@@ -34,8 +34,8 @@ TEST(ReadFile, GivesEveryByte) {
 TEST(ReadFile, PipesAndDevicesAreRefusedWithoutWaiting) {
   const auto pipe = empty_folder() / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  EXPECT_EQ(problem_of(pipe), "is no regular file");
-  EXPECT_EQ(problem_of("/dev/zero"), "is no regular file");
+  EXPECT_EQ(problem_of(pipe), "is not a regular file");
+  EXPECT_EQ(problem_of("/dev/zero"), "is not a regular file");
   EXPECT_THROW(require_regular_file(pipe), InputError);
 }
 

@@ -60,7 +60,7 @@ Remeshable box(BoxPattern pattern, unsigned seed, double noise = 0) {
   return {make_box(Vec3(2, 1, 1), Vec3::Constant(0.25), pattern), seed, noise};
 }
 
-/// Takes no node for part of the plane that is not, and never refuses.
+/// Returns options that take only nodes on the plane as part of it, and never refuse.
 RemeshOptions exact() { return {.limits = {}, .snap_fraction = 0, .snap_angle = 1e-9, .crack_angle = 1e-9}; }
 
 NodeId node_nearest(const Remeshable& body, const Vec3& place) {
@@ -97,7 +97,7 @@ TEST(Remesh, RandomAbuseKeepsEveryInvariant) {
       if (i % 6 != 0 && tets > 1000) continue;
       ASSERT_THAT(check_invariants(body.mesh), ::testing::IsEmpty()) << seed << ", " << i;
     }
-    EXPECT_LT((conserved(body) - before).head<8>().norm(), 1e-12 * before.norm()) << "mass, its centre, momentum";
+    EXPECT_LT((conserved(body) - before).head<8>().norm(), 1e-12 * before.norm()) << "mass, its center, momentum";
     EXPECT_GE(body.worst_quality(), quality);
     EXPECT_GT(body.mesh.tet_count(), tets);
   }
@@ -127,7 +127,7 @@ TEST(Remesh, ThePlaneIsTheInterfaceOfTheTwoSides) {
     }
 }
 
-/// Separates nodes with one normal, from one on the surface onwards, as a crack front runs through a body.
+/// Separates nodes with one normal, starting from one on the surface, as a crack front runs through a body.
 void run_crack(Remeshable& body, NodeId start, const Vec3& normal, const RemeshOptions& options) {
   for (std::deque<NodeId> queue = {start}; !queue.empty(); queue.pop_front()) {
     const NodeId node = queue.front();
@@ -146,7 +146,7 @@ double surface_area(const Remeshable& body) {
   return area;
 }
 
-/// The volume of a piece's smaller part when the plane cuts it in two.
+/// Returns the volume of a piece's smaller part when the plane cuts it in two.
 double volume_across(const Remeshable& body, const std::vector<TetId>& piece, const Vec3& origin, const Vec3& normal) {
   double above = 0, below = 0;
   for (TetId tet : piece)
@@ -183,7 +183,7 @@ TEST(Remesh, ThousandsOfCutsComeToAnEnd) {
     }
     EXPECT_THAT(check_invariants(body.mesh), ::testing::IsEmpty());
     EXPECT_GE(body.worst_quality(), limits.min_quality);
-    // No tet is smaller than one of the least quality with the least edges.
+    // No tet is smaller than one of the least quality with the shortest edges.
     const double min_volume = limits.min_quality * std::pow(limits.min_length, 3) / (6 * std::sqrt(2));
     EXPECT_LT(body.mesh.tet_count(), 2 / min_volume);
   }

@@ -56,7 +56,7 @@ struct StressedBox {
   CandidatePlane plane(int node, const DirectionalStrength& strength = {}) const {
     return candidate_plane(input(), NodeId(node), separation_tensor(input(), NodeId(node)), strength);
   }
-  /// Away from the ends, where the grips are.
+  /// True away from the ends, where the grips are.
   bool measured(int node) const { return std::abs(mesh.rest_positions[node].x()) < 0.99; }
 };
 
@@ -94,7 +94,7 @@ TEST(SeparationStress, EqualsTheUniaxialStressOnEveryMesh) {
 }
 
 TEST(SeparationStress, IsTheTrueStressInLargeStretch) {
-  // Green's strain of a stretch 1.5 is 0.625: S = 625 MPa, carried by unchanged cross-sections F S = 937.5 MPa.
+  // Green's strain of an extension to 1.5 is 0.625: S = 625 MPa, with unchanged cross sections F S = 937.5 MPa.
   const StressedBox bar(BoxPattern::five_tet, 3, Vec3(1.5, 1, 1).asDiagonal(), 0.1, ElementModel::green_strain);
   for (int node = 0; node < bar.mesh.node_count(); ++node) {
     if (!bar.measured(node)) continue;
@@ -121,7 +121,7 @@ TEST(SeparationTensor, PureCompressionSeparatesNothing) {
 }
 
 TEST(SeparationStress, ElementsOfAnAnchorDoNotDiluteIt) {
-  // Everything below x = 0 is held; the nodes in that plane see the stress of the free half alone.
+  // All nodes below x = 0 are supported. Those in that plane see only the stress of the free half.
   StressedBox bar(BoxPattern::bcc, 4, Vec3(1 + kStrain, 1, 1).asDiagonal());
   bar.constraints.assign(bar.mesh.node_count(), {});
   for (int node = 0; node < bar.mesh.node_count(); ++node)
@@ -155,8 +155,8 @@ TEST(CandidatePlane, TakesTheWeakestDirectionUnderAUniaxialLoad) {
 }
 
 TEST(SeparationTensor, SupportsAreNoShield) {
-  // At the gripped end the reaction is missing from the element forces: only with the totals left out does the node
-  // see its load.
+  // At the gripped end the reaction is missing from the element forces. Only without the totals does the node see its
+  // load.
   StressedBox bar(BoxPattern::five_tet, 3, Vec3(1 + kStrain, 1, 1).asDiagonal());
   for (int node = 0; node < bar.mesh.node_count(); ++node) {
     if (bar.measured(node)) continue;
@@ -208,7 +208,7 @@ TEST(CandidatePlane, OfFourSideBySideHasTheBitsOfOneAtATime) {
   }
 }
 
-/// What is held, slides, has no stress or no numbers, in parts of the nodes such as threads take.
+/// Includes supported and sliding nodes, and those without stress or with NaN, in ranges as of threads.
 TEST(StarSums, ElementByElementHaveTheBitsOfStarByStar) {
   RandomValues random(11);
   for (const ElementModel model : {ElementModel::corotational, ElementModel::green_strain}) {

@@ -16,7 +16,7 @@ struct Campaign {
   std::uint64_t inputs = std::numeric_limits<std::uint64_t>::max();  ///< at most
   double seconds = std::numeric_limits<double>::infinity();          ///< no input begins after them
   int jobs = 1;                                                      ///< processes at once
-  int threads = 1;                                                   ///< of the simulation, in each
+  int threads = 1;                                                   ///< threads of the simulation, in each
   bool minimize = true;                                              ///< makes inputs that fail smaller
   int max_findings = 20;                                             ///< a job ends after so many
   std::filesystem::path findings = "fuzz_findings";                  ///< folder for inputs that fail

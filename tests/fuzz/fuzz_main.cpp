@@ -24,7 +24,7 @@ Targets make_targets(const std::string& wanted) {
   return all;
 }
 
-/// Whether the input does no harm any more.
+/// True if the input no longer fails.
 bool replay(const Target& target, const fs::path& path, const Limits& limits) {
   const TemporaryFolder folder;
   Sandbox sandbox(folder.path(), limits);

@@ -15,7 +15,7 @@ void add_folder(const fs::path& folder, const std::string& prefix, Input& input)
       input.files[prefix + entry.path().lexically_relative(folder).generic_string()] = read_file(entry.path());
 }
 
-/// Of a TetGen pair the points name it.
+/// Returns the entry of a folder; the points name a TetGen pair.
 std::string entry_in(const fs::path& folder) {
   std::string found;
   for (const auto& entry : fs::directory_iterator(folder)) {

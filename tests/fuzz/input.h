@@ -6,7 +6,7 @@
 
 namespace griffith::fuzz {
 
-/// What a target is given: the files of a folder, the one that is read being "input.<ending>" (or the folder "input").
+/// Input of a target: the files of a folder. The entry to read is "input.<suffix>" (or the folder "input").
 struct Input {
   std::string entry;                         ///< what is read
   std::map<std::string, std::string> files;  ///< path within the folder → content

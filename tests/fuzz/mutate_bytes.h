@@ -10,7 +10,7 @@ namespace griffith::fuzz {
 /// Words that readers of numbers stumble over.
 const std::vector<std::string>& extreme_words();
 
-/// Damages a file in one to four places, without a look at its meaning: bits, stretches of bytes, binary numbers.
+/// Damages a file in one to four places, regardless of its meaning: bits, ranges of bytes, binary numbers.
 std::string mutate_bytes(std::string bytes, RandomValues& random);
 
 /// Damages a text in one to four places: its words and lines are replaced, removed, repeated and exchanged.

@@ -118,7 +118,7 @@ void repeat(const Node& node, RandomValues& random) {
   }
 }
 
-/// What stands in the donor under the same name.
+/// Replaces a node by the donor's value of the same name.
 void splice(const Node& node, Json donor, RandomValues& random) {
   std::vector<Node> candidates = nodes_of(donor);
   std::erase_if(candidates, [&](const Node& other) { return other.field != node.field; });
@@ -161,7 +161,7 @@ std::string text_of(const Json& scene) {
   return text;
 }
 
-/// What the parser alone sees: twice the same key, deep nesting, a byte order mark, bytes that are no UTF-8.
+/// Damages text for the parser: duplicate keys, deep nesting, a byte order mark, bytes that are not UTF-8.
 std::string damaged_text(std::string text, RandomValues& random) {
   const std::size_t brace = text.find('{', static_cast<std::size_t>(random.index(static_cast<int>(text.size()) + 1)));
   switch (random.index(8)) {

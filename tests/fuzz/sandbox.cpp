@@ -45,8 +45,8 @@ double own_processor_seconds() {
   return sum;
 }
 
-/// What /proc tells of a process: whether it is ready to run, and its processor time with that of its own children that
-/// have ended [s].
+/// State of a process from /proc: readiness to run, and its processor time including that of its own ended children
+/// [s].
 struct ProcessState {
   bool runs = false;
   double processor_seconds = 0;

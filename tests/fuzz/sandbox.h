@@ -12,13 +12,13 @@
 
 namespace griffith::fuzz {
 
-/// What an input may use.
+/// Resource limits of an input.
 struct Limits {
-  double seconds = 10;  ///< of processor time, with that of programs that it starts
+  double seconds = 10;  ///< processor time [s], including that of programs that it starts
   std::int64_t memory_bytes = std::int64_t{4} << 30;
 };
 
-/// How an input failed.
+/// Failure of an input.
 struct Failure {
   enum class Kind { promise, exception, crash, hang, memory };
   Kind kind = Kind::crash;
@@ -29,10 +29,10 @@ struct Failure {
 };
 const char* name_of(Failure::Kind kind);
 
-/// What a child process tells its parent, in memory that both share.
+/// Report of a child process to its parent, in shared memory.
 struct Report {
   std::atomic<std::uint64_t> input{0};           ///< the one in hand
-  std::atomic<double> processor_seconds{0};      ///< of the child, when it took that input in hand
+  std::atomic<double> processor_seconds{0};      ///< processor time of the child when it began this input [s]
   std::atomic<std::uint64_t> outcomes[16][3]{};  ///< by target and outcome
   std::atomic<int> failure{-1};
   char message[1000] = {};

@@ -74,7 +74,7 @@ std::vector<Scene> random_scenes(int count) {
   return scenes;
 }
 
-/// Of waves that cross the shape's finest cell, how many a step of explicit integration has to follow.
+/// Returns the number of waves across the shape's finest cell that a step of explicit integration has to resolve.
 double substeps_of(const BodyDescription& body, const SimulationSettings& settings) {
   if (settings.integrator == Integrator::implicit_euler) return 1;
   const Material& m = body.material;

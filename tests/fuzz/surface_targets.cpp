@@ -26,7 +26,7 @@ std::string line(const Words&... words) {
 }
 
 std::string obj_text(const TriangleSurface& surface) {
-  std::string text = "o thing\n";
+  std::string text = "o part\n";
   for (const Vec3& p : surface.points) text += line("v", p.x(), p.y(), p.z());
   for (const auto& [a, b, c] : surface.triangles) text += line("f", a + 1, b + 1, c + 1);
   return text;
@@ -49,13 +49,13 @@ std::string ply_text(const TriangleSurface& surface) {
 }
 
 std::string stl_text(const TriangleSurface& surface) {
-  std::string text = "solid thing\n";
+  std::string text = "solid part\n";
   for (int i = 0; i < std::ssize(surface.triangles); ++i) {
     text += "facet normal 0 0 0\nouter loop\n";
     for (const Vec3& p : corners_of(surface, i)) text += line("vertex", p.x(), p.y(), p.z());
     text += "endloop\nendfacet\n";
   }
-  return text + "endsolid thing\n";
+  return text + "endsolid part\n";
 }
 
 template <class T>
@@ -166,7 +166,7 @@ class SurfaceTarget : public Target {
 
 TetMesh unit_box() { return build_mesh(make_box(Vec3(1, 1, 1), Vec3(1, 1, 1), BoxPattern::five_tet)); }
 
-/// What a cell holds of a tet is held by no other.
+/// Checks that the parts of a tet in different cells are disjoint.
 Outcome split_box(const CellPartition& cells) {
   const TetMesh mesh = unit_box();
   const SplinterSet splinters = make_splinters(mesh, cells);

@@ -11,7 +11,7 @@
 
 namespace griffith::fuzz {
 
-/// What became of an input that did no harm.
+/// Outcome of an input without failure.
 enum class Outcome { refused, too_large, ran };
 
 /// The program did with an input what it promises never to do.
@@ -29,7 +29,7 @@ class Target {
  public:
   virtual ~Target() = default;
   virtual std::string name() const = 0;
-  /// Of 1,000 inputs for all targets, how many are for this one.
+  /// Returns the number of inputs for this target in 1,000 for all.
   virtual int fraction() const = 0;
   /// A damaged, odd or extreme input; the same for the same random values.
   virtual Input make(RandomValues& random) const = 0;

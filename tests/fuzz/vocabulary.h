@@ -9,11 +9,10 @@ namespace griffith::fuzz {
 
 using Json = nlohmann::ordered_json;
 
-/// What scenes are made of, by the name of the field that holds it; taken from their schema, so that a new field is
-/// tried without a change here.
+/// Values of scenes by the name of their field. Taken from the schema, so that new fields are included automatically.
 struct Vocabulary {
   std::map<std::string, std::vector<Json>> values;         ///< names to choose from, both ends of ranges, defaults
-  std::map<std::string, std::vector<std::string>> fields;  ///< of the object that the field holds
+  std::map<std::string, std::vector<std::string>> fields;  ///< fields of the object that the field holds
 };
 
 Vocabulary scene_vocabulary();

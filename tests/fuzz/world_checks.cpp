@@ -34,7 +34,7 @@ double potential_energy(const Frame& frame, const Vec3& gravity) {
   return energy;
 }
 
-/// What rounding of positions does to the elastic energy.
+/// Returns the effect of rounding of positions on the elastic energy.
 double rounding_of(const Frame& frame) {
   constexpr double kRounding = 1e-13;
   double energy = 0;
@@ -49,7 +49,7 @@ double rounding_of(const Frame& frame) {
 
 bool does_work(const Support& support) { return support.kind == SupportKind::prescribed; }
 
-/// Whether nothing but gravity, contact and projectiles can do work on the scene's bodies.
+/// True if only gravity, contact and projectiles can do work on the scene's bodies.
 bool is_left_alone(const Scene& scene) {
   return scene.analysis == Analysis::dynamic && std::ranges::none_of(scene.bodies, [](const BodyDescription& body) {
            return !body.loads.empty() || std::ranges::any_of(body.supports, does_work);
@@ -85,7 +85,7 @@ class Watch {
     promise(frame.report.substeps >= 1, text("%d substeps", frame.report.substeps));
   }
 
-  /// What projectiles bring along when they appear.
+  /// Adds the energy of new projectiles.
   void launch(const Frame& frame) {
     double speed = 0, spin = 0;
     for (const ProjectileBurst& burst : scene_.projectiles) {
@@ -118,7 +118,7 @@ class Watch {
                                               energy_of(frame), static_cast<int>(frame.step), allowed));
   }
 
-  /// Whether nothing outside acts on the bodies.
+  /// True if nothing outside acts on the bodies.
   bool is_isolated() const {
     return is_left_alone(scene_) && scene_.gravity.isZero(0) && !scene_.ground &&
            std::ranges::all_of(scene_.bodies, [](const BodyDescription& body) {

@@ -29,7 +29,7 @@ std::vector<TetSoup> soups() {
   return soups;
 }
 
-/// What bisecting an edge takes from the angular momentum (3 entries) and the kinetic energy.
+/// Returns the loss of angular momentum (3 entries) and kinetic energy by bisecting an edge.
 Eigen::Vector4d predicted_loss(const MovingMesh& body, NodeId a, NodeId b, double weight) {
   double mass = 0;
   for (const auto& piece : edge_components(body.mesh, a, b))
@@ -109,7 +109,7 @@ TEST(Bisect, APinchedEdgeGetsANodeForEachOfItsPieces) {
   }
   const std::vector<std::vector<TetId>> round = edge_components(mesh, a, b);
   ASSERT_EQ(round.size(), 1u);
-  // Cut the faces at the edge in the plane x = 0: two pieces touch there, and hold together elsewhere.
+  // Cut the faces at the edge in the plane x = 0: two pieces touch there, and are connected elsewhere.
   for (TetId tet : round[0])
     for (int face = 0; face < 4; ++face) {
       const TetId other = mesh.neighbours[tet][face];

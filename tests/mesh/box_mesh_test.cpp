@@ -108,7 +108,7 @@ TEST(FiveTetTest, IsMirroredFromCellToCell) {
 
 TEST(BccTest, TetsAreEqualInVolumeAndOfTwoShapes) {
   const TetSoup soup = make_box(Vec3(3, 3, 3), Vec3::Ones(), BoxPattern::bcc);
-  // Squared edges: 1, 1 and four of 3/4 between two cell centres; 1, 1, 2 and three of 3/4 at the surface.
+  // Squared edges: 1, 1 and four of 3/4 between two cell centers; 1, 1, 2 and three of 3/4 at the surface.
   const auto quality = [](double squared_edges) { return std::sqrt(2.0) / 2 / std::pow(squared_edges / 6, 1.5); };
   int inner = 0, outer = 0;
   for (const auto& [a, b, c, d] : soup.tets) {

@@ -6,10 +6,10 @@
 #include <Eigen/LU>
 #include <limits>
 
-#include "sim/core/error.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/read_mesh.h"
 #include "sim/mesh/topology.h"
+#include "tests/input_error_of.h"
 #include "tests/random_values.h"
 
 namespace griffith {
@@ -32,12 +32,7 @@ TetSoup two_tets_sharing(int shared) {
 }
 
 std::string error_of(TetSoup soup) {
-  try {
-    prepare(soup, "wall.msh");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return input_error_of([&] { prepare(soup, "wall.msh"); });
 }
 
 TEST(QualityTest, IsOneForTheRegularTetAndInvariant) {

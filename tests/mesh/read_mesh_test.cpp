@@ -11,6 +11,7 @@
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/topology.h"
 #include "sim/mesh/write_mesh.h"
+#include "tests/input_error_of.h"
 #include "tests/mesh/cell_files.h"
 #include "tests/mesh/sample_files.h"
 #include "tests/random_values.h"
@@ -32,12 +33,7 @@ TetSoup random_soup(int cells) {
 }
 
 std::string error_of(const std::filesystem::path& path) {
-  try {
-    read_mesh(path);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return input_error_of([&] { read_mesh(path); });
 }
 
 TEST(ReadMeshTest, EveryFormatGivesTheSameMeshToTheLastBit) {
@@ -210,13 +206,13 @@ TEST(ReadMeshTest, ManyOpenArraysAreAnsweredAtOnce) {
   EXPECT_THAT(error_of(folder.path() / "a.vtu"), HasSubstr("no error"));
 }
 
-TEST(ReadMeshTest, TellsWhatIsMissingOrUnknown) {
+TEST(ReadMeshTest, ReportsMissingAndUnknownFiles) {
   TemporaryFolder folder;
   EXPECT_THAT(error_of(folder.path() / "none.msh"), HasSubstr("none.msh: no such file"));
   EXPECT_THAT(error_of(folder.path() / "none"), HasSubstr("no such file or folder"));
   EXPECT_THAT(error_of(folder.path()), HasSubstr("verts.csv: no such file"));
   folder.write("a.stl", "solid");
-  EXPECT_THAT(error_of(folder.path() / "a.stl"), HasSubstr("no mesh format known here (.node, .ele, .msh"));
+  EXPECT_THAT(error_of(folder.path() / "a.stl"), HasSubstr("not a known mesh format (.node, .ele, .msh"));
 }
 
 /// Whatever the bytes, reading ends with a mesh that holds its invariants or with an InputError.

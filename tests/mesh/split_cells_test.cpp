@@ -3,10 +3,10 @@
 
 #include <numeric>
 
-#include "sim/core/error.h"
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/read_mesh.h"
 #include "sim/mesh/topology.h"
+#include "tests/input_error_of.h"
 #include "tests/mesh/cell_files.h"
 
 namespace griffith {
@@ -45,12 +45,7 @@ Split split(const CellMesh& cells) {
 }
 
 std::string error_of(const CellMesh& cells) {
-  try {
-    split(cells);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return input_error_of([&] { split(cells); });
 }
 
 /// The corners of a unit cube in the order of files.
@@ -180,24 +175,22 @@ TEST(SplitCells, CellsThatOverlapThemselvesAreRefusedWithTheirNumber) {
   mesh.add(hexahedron, {0, 1, 2, 3, 5, 4, 6, 7});
   mesh.add(pyramid, {0, 1, 2, 3, 0});
   EXPECT_THAT(error_of(mesh), HasSubstr("the cell of nodes 0, 1, 2, 3, 5, 4, 6, 7 overlaps itself or has no volume; 2 "
-                                        "such in all (mesh again, or into tetrahedra)"));
+                                        "such in total (generate the mesh again, or as tetrahedra)"));
 }
 
 /// Writes a file, reads it and returns its volume, or the error.
 struct ReadFileOf {
   double volume = 0;
   CellReport report;
-  std::string error = "no error";
+  std::string error;
 
   ReadFileOf(const std::string& name, const std::string& content) {
     TemporaryFolder folder;
     folder.write(name, content);
-    try {
+    error = input_error_of([&] {
       TetSoup soup = read_mesh(folder.path() / name, &report);
       volume = prepare(soup).volume;
-    } catch (const InputError& problem) {
-      error = problem.what();
-    }
+    });
   }
 };
 

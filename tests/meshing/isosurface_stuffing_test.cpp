@@ -13,7 +13,7 @@
 namespace griffith {
 namespace {
 
-/// The points where `f` is positive; its border by bisection.
+/// Returns the solid of points where `f` is positive, with its border by bisection.
 ImplicitSolid solid_of(std::function<double(const Vec3&)> f) {
   ImplicitSolid solid;
   solid.inside = [f](const Vec3& point) { return f(point) > 0; };
@@ -56,7 +56,7 @@ TEST(IsosurfaceStuffing, DihedralAnglesStayWithinTheProvenBounds) {
   EXPECT_LT(maximum, 164.75);
 }
 
-/// A number in [0, 1) that looks random and belongs to the point.
+/// Returns a pseudorandom number in [0, 1) that depends on the point.
 double hash_of(const Vec3& p, double seed) {
   const double value = std::sin(p.dot(Vec3(12.9898, 78.233, 37.719)) + seed) * 43758.5453;
   return value - std::floor(value);
@@ -104,7 +104,7 @@ TEST(IsosurfaceStuffing, EveryTetIsPositiveAndFacesMatch) {
     }
 }
 
-/// Grading changes nothing at the border and leaves no gap: the surface is the same, and so is what it encloses.
+/// Grading does not change the border or leave gaps, so surface and volume are equal.
 TEST(IsosurfaceStuffing, GradingKeepsTheSurfaceAndSavesElements) {
   const ImplicitSolid ball =
       solid_of([](const Vec3& p) { return 1 - (p - Vec3(0.1, 0, 0)).norm() + 0.05 * std::sin(7 * p.x()); });
@@ -130,7 +130,7 @@ TEST(IsosurfaceStuffing, GradingKeepsTheSurfaceAndSavesElements) {
   }
 }
 
-/// Of the tets inside alone: a cube that the lattice fits exactly.
+/// For tets inside only: a cube that the lattice fits exactly.
 TEST(IsosurfaceStuffing, GradedElementsAreWellShaped) {
   const ImplicitSolid noisy =
       solid_of([](const Vec3& p) { return 1.5 - p.norm() + 0.4 * std::sin(9 * p.x()) * std::cos(8 * p.y()); });

@@ -36,7 +36,7 @@ bool tetgen_is_installed() {
   return run_process({"tetgen", "-h"}, {10, std::int64_t{1} << 30}).end != ProcessOutcome::End::not_found;
 }
 
-/// The mesh, once it is known to be fit for a world.
+/// Returns the quality of a mesh after checks that it is fit for a world.
 MeshQuality checked_quality(const SurfaceMesh& mesh) {
   TetSoup soup = mesh.soup;
   const MeshReport report = prepare(soup);
@@ -164,7 +164,7 @@ TEST(MeshSurface, OpenAndCrossingSurfacesFallBackOnTheLattice) {
   EXPECT_NEAR(checked_quality(open).volume, 1, 0.1);
   const SurfaceMesh crossing = mesh_surface(crossing_boxes(), options(MeshingMethod::automatic, 0.07));
   EXPECT_THAT(crossing.findings, Contains(HasSubstr("because the surface passes through itself")));
-  EXPECT_NEAR(checked_quality(crossing).volume, 1 + 0.25 / 2, 0.06);  // what both share counts once
+  EXPECT_NEAR(checked_quality(crossing).volume, 1 + 0.25 / 2, 0.06);  // the common part counts once
   TriangleSurface everted = open_box();
   turn_inside_out(everted);
   EXPECT_NEAR(checked_quality(mesh_surface(everted, options(MeshingMethod::automatic, 0.1))).volume, 1, 0.1);
@@ -179,13 +179,13 @@ TEST(MeshSurface, ASurfaceWithoutAnInsideIsRefused) {
   EXPECT_THAT(message_of(foil, options(MeshingMethod::volumetric, 0.3)), HasSubstr("thinner than the elements"));
 }
 
-/// However coarse the lattice is on a thin ring, what it loses is told, with the size that would do; most of it,
-/// refused.
-TEST(MeshSurface, LostVolumeIsToldWithARemedy) {
+/// For any coarse lattice on a thin ring, lost volume is reported with a sufficient size, and refused if it is most of
+/// it.
+TEST(MeshSurface, LostVolumeIsReportedWithARemedy) {
   const TriangleSurface ring = torus_surface(1, 0.03, 60, 12);
   char remedy[64];
   std::snprintf(remedy, sizeof remedy, "element size below %.2g m", 2 * enclosed_volume(ring) / surface_area(ring));
-  int told = 0, refused = 0;
+  int reported = 0, refused = 0;
   for (const double size : {0.012, 0.02, 0.03, 0.04, 0.05, 0.06, 0.07, 0.08}) {
     const std::string message = message_of(ring, options(MeshingMethod::volumetric, size));
     refused += !message.empty();
@@ -199,9 +199,9 @@ TEST(MeshSurface, LostVolumeIsToldWithARemedy) {
     const bool has_word = !mesh.findings.empty() && mesh.findings.back().find(remedy) != std::string::npos;
     EXPECT_EQ(has_word, std::abs(volume / whole - 1) >= 0.05) << size;
     EXPECT_GT(volume, 0.5 * whole);
-    told += has_word;
+    reported += has_word;
   }
-  EXPECT_GT(told, 0);
+  EXPECT_GT(reported, 0);
   EXPECT_GT(refused, 0);
 }
 
@@ -249,7 +249,7 @@ TEST(MeshSurface, DamagedCacheEntriesAreIgnored) {
   EXPECT_TRUE(mesh_surface(ball, wanted, setup).from_cache);
 }
 
-/// An entry whose sum is right: what `header` announces, and then `content`.
+/// Writes an entry with a correct hash: counts of `header`, then `content`.
 void write_crafted_entry(const std::filesystem::path& path, const std::array<std::int32_t, 4>& header,
                          const std::string& content, const LatticeParting& parting = {}) {
   const std::string bytes = std::string(reinterpret_cast<const char*>(header.data()), sizeof header) +

@@ -10,6 +10,7 @@
 #include "sim/meshing/surface.h"
 #include "sim/meshing/surface_objects.h"
 #include "surfaces.h"
+#include "tests/input_error_of.h"
 
 namespace griffith {
 namespace {
@@ -64,7 +65,7 @@ std::string binary_stl_of(const TriangleSurface& s) {
   return bytes;
 }
 
-/// A glTF file with its numbers in a .bin beside it, moved by a node's translation.
+/// Returns a glTF file with its numbers in a .bin beside it, moved by a node's translation.
 std::string gltf_of(const TriangleSurface& s, const std::filesystem::path& folder, const Vec3& translation) {
   std::string bytes;
   for (const Vec3& p : s.points)
@@ -91,14 +92,9 @@ std::filesystem::path written(const std::filesystem::path& path, const std::stri
   return path;
 }
 
-/// The message of the InputError that reading throws, or "".
+/// Returns the message of the InputError that reading throws, or "".
 std::string message_of(const std::filesystem::path& path) {
-  try {
-    read_surface(path);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return input_error_of([&] { read_surface(path); });
 }
 
 TEST(ReadSurface, EveryFormatGivesTheSameBox) {
@@ -113,7 +109,7 @@ TEST(ReadSurface, EveryFormatGivesTheSameBox) {
                                                     written(folder / "box.gltf", gltf_of(box, folder, Vec3(0, 0, 0)))};
   for (const auto& file : files) {
     const TriangleSurface read = read_surface(file);
-    EXPECT_EQ(read.points.size(), 8u) << file;  // a soup is welded
+    EXPECT_EQ(read.points.size(), 8u) << file;  // points are merged
     EXPECT_EQ(read.triangles.size(), 12u) << file;
     EXPECT_NEAR(enclosed_volume(read), 6, 1e-6) << file;
     EXPECT_NEAR(surface_area(read), 22, 1e-6) << file;
@@ -145,7 +141,7 @@ TEST(Polygon, EarsCoverExactlyThePolygon) {
   unsigned state = 9;
   const auto next = [&] { return (state = state * 1664525 + 1013904223) / 4294967296.0; };
   for (int sample = 0; sample < 100; ++sample) {
-    const int count = 3 + sample % 12;  // a star: random radii round the centre
+    const int count = 3 + sample % 12;  // a star: random radii around the center
     std::vector<Vec3> corners;
     double area = 0, covered = 0;
     for (int i = 0; i < count; ++i) {
@@ -157,7 +153,7 @@ TEST(Polygon, EarsCoverExactlyThePolygon) {
     EXPECT_EQ(triangles.size(), corners.size() - 2);
     for (const auto& [a, b, c] : triangles) {
       const double part = area_vector({corners[a], corners[b], corners[c]}).z();
-      EXPECT_GE(part, -1e-12);  // all turn alike, so an equal sum means that nothing is covered twice
+      EXPECT_GE(part, -1e-12);  // all have one orientation, so an equal sum means that nothing is covered twice
       covered += part;
     }
     EXPECT_NEAR(covered, area, 1e-12);
@@ -170,7 +166,7 @@ TEST(ReadSurface, EachUnusableFileHasItsOwnMessage) {
   const auto folder = test_folder();
   EXPECT_THAT(message_of(folder / "none.obj"), HasSubstr("none.obj: no such file"));
   EXPECT_THAT(message_of(folder), HasSubstr("is a folder"));
-  EXPECT_THAT(message_of(written(folder / "box.fbx", "x")), HasSubstr("no surface format known here (.obj, .stl"));
+  EXPECT_THAT(message_of(written(folder / "box.fbx", "x")), HasSubstr("not a known surface format (.obj, .stl"));
   EXPECT_THAT(message_of(written(folder / "empty.ply", "")), HasSubstr("empty.ply: is empty"));
   EXPECT_THAT(message_of(written(folder / "words.ply", "These are words.")), HasSubstr("cannot be read"));
   EXPECT_THAT(message_of(written(folder / "points.obj", "v 0 0 0\nv 1 0 0\np 1 2\n")), HasSubstr("triangles"));
@@ -179,10 +175,10 @@ TEST(ReadSurface, EachUnusableFileHasItsOwnMessage) {
               HasSubstr("not finite"));
   std::string cut = binary_stl_of(box_surface(Vec3::Zero(), Vec3::Ones()));
   cut.resize(200);
-  EXPECT_FALSE(message_of(written(folder / "cut.stl", cut)).empty());
+  EXPECT_NE(message_of(written(folder / "cut.stl", cut)), "no error");
 }
 
-/// One file of each kind, and what lies beside it, all of the same box.
+/// Returns one file of each kind, with its companions, all of the same box.
 std::vector<std::pair<std::string, std::string>> good_files(const std::filesystem::path& folder) {
   const TriangleSurface box = box_surface(Vec3::Zero(), Vec3::Ones());
   write_off(box, folder / "box.off");
@@ -195,7 +191,7 @@ std::vector<std::pair<std::string, std::string>> good_files(const std::filesyste
           {"a.gltf", gltf_of(box, folder, Vec3::Zero())}};
 }
 
-/// Whether a file is read, with corners that exist, or refused with a problem and a remedy. Nothing else may happen.
+/// True if a file is read, with valid corners, or rejected with a problem and a remedy. Nothing else may happen.
 bool read_or_refused(const std::filesystem::path& file) {
   try {
     const TriangleSurface surface = read_surface(file);
@@ -234,7 +230,7 @@ TEST(ReadSurface, AReaderThatTakesTooLongIsEnded) {
     read_surface_objects(large_file(), {}, ProcessLimits{0.02, std::int64_t{1} << 30});
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.problem(), HasSubstr("did not come to an end"));
+    EXPECT_THAT(error.problem(), HasSubstr("did not finish"));
     EXPECT_THAT(error.remedy(), HasSubstr("export the surface again"));
   }
 }
@@ -248,7 +244,7 @@ TEST(ReadSurface, AReaderThatNeedsTooMuchMemoryIsToldSo) {
   }
 }
 
-/// Without that, the reader would wait for the pipe's writer.
+/// Otherwise the reader would wait for the pipe's writer.
 TEST(ReadSurface, APipeThatASurfaceNamesForItsMaterialsIsPassedOver) {
   const auto folder = test_folder();
   std::filesystem::remove(folder / "pipe.mtl");
@@ -271,7 +267,7 @@ TEST(ReadSurface, BuffersOutsideTheSurfacesFolderAreRefused) {
   EXPECT_THAT(message_of(named("link.bin")), HasSubstr("outside its folder"));
   std::filesystem::create_directories(folder / "below");
   std::filesystem::rename(root / "box.bin", folder / "below/box.bin");
-  EXPECT_EQ(message_of(named("below/box.bin")), "");
+  EXPECT_EQ(message_of(named("below/box.bin")), "no error");
 }
 
 TEST(ReadSurface, CanBeCancelled) {

@@ -18,7 +18,7 @@ using namespace griffith::testing;
 
 Recording small_recording() { return record(played(struck_wall(), 6)); }
 
-/// What is wrong with an archive of these files; empty where nothing is.
+/// Returns the problem of an archive of these files; empty if there is none.
 std::string problem_of(const FileTree& files) {
   const auto file = written(empty_folder() / "run.tar.zst", pack_files(files, "run"));
   try {
@@ -29,7 +29,7 @@ std::string problem_of(const FileTree& files) {
   }
 }
 
-/// The problem when one file is another than it was.
+/// Returns the problem with one file changed.
 std::string problem_with(const std::string& name, const std::string& content) {
   FileTree files = files_of(small_recording());
   EXPECT_TRUE(files.contains(name));
@@ -43,7 +43,7 @@ std::string with_text(std::string text, const std::string& old_part, const std::
   return text.replace(at, old_part.size(), new_part);
 }
 
-/// An archive of one entry that is no file.
+/// Returns an archive of one entry that is not a file.
 std::string archive_with(const std::string& name, unsigned type, const std::string& target) {
   std::string bytes(1 << 16, '\0');
   std::size_t used = 0;
@@ -136,7 +136,7 @@ TEST(DamagedRecording, ASmallArchiveDoesNotUnpackToALargeOne) {
   EXPECT_THROW(unpack_files(zeros, "run"), InputError);
 }
 
-/// `count` times "{}".
+/// Returns `count` times "{}".
 std::string empty_objects(int count) {
   std::string list = "[{}";
   for (int i = 1; i < count; ++i) list += ",{}";
@@ -174,7 +174,7 @@ TEST(DamagedRecording, AnythingElseIsNoRecording) {
     EXPECT_THROW(read_recording(written(folder / "cut", whole.substr(0, size))), InputError) << size;
 }
 
-/// Whatever is damaged, it is refused or replays to an end.
+/// Any damaged recording is rejected or replays to its end.
 TEST(DamagedRecording, RandomDamageDoesNoHarm) {
   const auto folder = empty_folder();
   const FileTree whole = files_of(record(played(recorded_scenes(folder)[3].scene, 3)));

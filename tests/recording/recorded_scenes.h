@@ -9,24 +9,24 @@
 
 namespace griffith::testing {
 
-/// A wall that a ball strikes at once.
+/// Returns a wall that a ball hits at once.
 Scene struck_wall();
 
-/// A scene of its own kind and how many steps of it say something.
+/// Scene with a number of steps that is representative.
 struct RecordedScene {
   std::string name;
   Scene scene;
   int steps = 0;
 };
 
-/// Scenes that crack, are cut, fall asleep, splinter and are made of all kinds of files, which are written into the
-/// folder.
+/// Returns scenes that crack, are remeshed, fall asleep, splinter and are made of all kinds of files, which are written
+/// into the folder.
 std::vector<RecordedScene> recorded_scenes(const std::filesystem::path& folder);
 
-/// What a user may do while it runs: a shot at step 4 and a weaker material at step 9. Goes back in between.
+/// Plays a run with inputs: a shot at step 4 and a weaker material at step 9. Goes back in between.
 Timeline played(const Scene& scene, int steps);
 
-/// Writes and reads it.
+/// Writes and reads a recording.
 Recording through_file(const Recording& recording, const std::filesystem::path& folder);
 
 }  // namespace griffith::testing

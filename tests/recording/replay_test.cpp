@@ -17,14 +17,14 @@ using ::testing::ElementsAre;
 using ::testing::Not;
 using namespace griffith::testing;
 
-/// The first step that differs when all are made again.
+/// Returns the first step that differs when all are repeated.
 std::optional<ReplayDifference> difference_of(const Recording& recording) {
   Replay replay(recording);
   while (!replay.at_end() && !replay.difference()) replay.advance();
   return replay.difference();
 }
 
-/// A text for a failing test.
+/// Returns a text for a failing test.
 std::string text_of_difference(const std::optional<ReplayDifference>& difference) {
   if (!difference) return "none";
   std::string text = "step " + std::to_string(difference->step) + ":";
@@ -84,7 +84,7 @@ TEST(Replay, ATimelineIsBackWhereItsHashesSay) {
   Timeline timeline = played(struck_wall(), 20);
   const std::vector<StateHashes> hashes = timeline.hashes();
   ASSERT_EQ(hashes.size(), 21u);
-  for (const int step : {20, 3, 17, 8, 0, 13}) {  // at the others something was done since
+  for (const int step : {20, 3, 17, 8, 0, 13}) {  // at the others there were inputs since
     timeline.go_to(step);
     EXPECT_EQ(timeline.world().state_hashes(), hashes[static_cast<std::size_t>(step)]) << step;
   }

@@ -22,7 +22,7 @@ class InjectedFaults : public ::testing::Test {
   static void SetUpTestSuite() { drawer_ = std::make_unique<Drawer>(); }
   static void TearDownTestSuite() { drawer_.reset(); }
 
-  /// Whether the image alone tells that it is another one.
+  /// Checks that the image alone reveals the difference.
   static void expect_seen(const Drawing& golden, const Drawing& spoiled, const char* what) {
     const ImageComparison comparison = compare_images(drawer_->draw(golden).image, drawer_->draw(spoiled).image);
     EXPECT_FALSE(comparison.passed) << what << ": " << comparison.reason;
@@ -238,7 +238,7 @@ TEST_F(InjectedFaults, PicturesOfAnOlderProcessorPass) {
   }
 }
 
-/// The picture with what tells where it comes from.
+/// Returns the picture with data on its origin.
 RegressionPicture explained(RegressionPicture picture, const char* view, double pieces) {
   picture.metadata = {{"renderer", "llvmpipe (LLVM 15.0.6, 256 bits)"},
                       {"scene", "small_wall.json"},

@@ -11,7 +11,7 @@
 namespace griffith::app {
 namespace {
 
-/// What a parser of XML finds: the suite's totals, then name, time, element, type and message of each test case.
+/// XML parser that prints the suite's totals, then name, time, element, type and message of each test case.
 constexpr char kParser[] = R"py(
 import sys, xml.etree.ElementTree as tree
 suite = tree.parse(sys.argv[1]).getroot().find('testsuite')

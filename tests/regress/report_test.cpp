@@ -133,7 +133,7 @@ TEST(PictureResults, TextAndIdsFailByThemselves) {
   EXPECT_EQ(compare_pictures("a", other, some_picture()).status, PictureStatus::failed);
   other = some_picture();
   other.statistics[0].second = 99;
-  EXPECT_EQ(compare_pictures("a", some_picture(), other).status, PictureStatus::passed) << "told, no rule";
+  EXPECT_EQ(compare_pictures("a", some_picture(), other).status, PictureStatus::passed) << "reported, no rule";
   other.state_hash.reset();
   const PictureResult result = compare_pictures("a", some_picture(), other);
   EXPECT_EQ(result.status, PictureStatus::failed);

@@ -122,7 +122,7 @@ TEST_F(GlassTest, HasNoHolesWhereItLiesOnSomething) {
 
 constexpr int kRim = 2;  // pixels
 
-/// Whether an id is, or is not, that of all pixels around one that is not near the picture's edge.
+/// True if all pixels around one that is not near the picture's edge have, or do not have, an id.
 bool all_around(const IdImage& ids, int x, int y, std::int32_t id, bool is) {
   for (int row = y - kRim; row <= y + kRim; ++row)
     for (int column = x - kRim; column <= x + kRim; ++column)

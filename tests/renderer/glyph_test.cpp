@@ -158,7 +158,7 @@ TEST_F(GlyphTest, OnlyTheVisibleHalfOfASurfaceIsDrawn) {
   }
 }
 
-/// What the last draw calls were.
+/// Count and true functions of draw calls.
 int draw_calls = 0;
 decltype(epoxy_glDrawArrays) true_draw_arrays;
 decltype(epoxy_glDrawArraysInstanced) true_draw_instanced;

@@ -15,7 +15,7 @@ constexpr Quality kQualities[] = {Quality::draft, Quality::standard, Quality::hi
 
 class HiddenBacksTest : public RendererFixture {
  protected:
-  /// Of a picture from there.
+  /// Returns the ids of a picture from there.
   static IdImage ids(const DrawScene& scene, const Camera& from, Quality quality) {
     RenderOptions how = options();
     how.quality = quality;

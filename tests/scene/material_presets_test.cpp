@@ -29,7 +29,7 @@ TEST(MaterialPresets, EveryOneIsPhysicalNamedAndSourced) {
     EXPECT_GT(lame_lambda(m), 0);
     EXPECT_TRUE(m.restitution >= 0 && m.restitution <= 1);
     EXPECT_GT(m.friction, 0);
-    // Sound in rubbery gels runs at metres per second, in ceramics at some ten kilometres.
+    // Sound travels at meters per second in rubbery gels, at some ten kilometers per second in ceramics.
     EXPECT_TRUE(bar_wave_speed(m) > 1 && bar_wave_speed(m) < 12000) << bar_wave_speed(m);
   }
   EXPECT_EQ(keys.size(), 17u);

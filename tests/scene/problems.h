@@ -7,7 +7,7 @@
 
 namespace griffith {
 
-/// What the reader says of a document named doc.
+/// Returns the reader's problems with a document named doc.
 inline std::vector<InputError> problems_of(const std::string& text) { return check_scene_text(text, "doc"); }
 
 inline std::vector<std::string> places(const std::vector<InputError>& problems) {

@@ -70,14 +70,14 @@ TEST(SceneReader, ReportsNamesThatAreUnknownOrTaken) {
        {R"({"version": 1, "name": "a", "bodies": [], "name": "b"})", "doc#/name", "appears twice"},
        {R"({"version": 1, "view": {"edges": true, "edges": true}})", "doc#/view/edges", "appears twice"},
        {R"({"version": 1, "bodies": [{}, {"name": "a/b", "name": "~"}]})", "doc#/bodies/1/name", "twice"},
-       {R"({"version": 1, "a/b~c": 1})", "doc#/a~1b~0c", "is no known field"},
+       {R"({"version": 1, "a/b~c": 1})", "doc#/a~1b~0c", "is not a known field"},
        {R"({"version": 1, "bodies": [{"material": "brik"}]})", "doc#/bodies/0/material", "mean \"brick\"?"},
        {R"({"version": 1, "bodies": [{"material": {"preset": "x"}}]})", "doc#/bodies/0/material/preset",
         "\"soda_lime_glass\""},
        {R"({"version": 1, "materials": {"mine": {}}, "bodies": [{"material": "unobtainium"}]})",
         "doc#/bodies/0/material", "\"mine\""},
        {R"({"version": 1, "materials": {"brick": {}}})", "doc#/materials/brick", "another name"},
-       {R"({"version": 1, "materials": {"mine": {"name": "a"}}})", "doc#/materials/mine/name", "no known"}});
+       {R"({"version": 1, "materials": {"mine": {"name": "a"}}})", "doc#/materials/mine/name", "not a known"}});
 }
 
 TEST(SceneReader, ReportsValuesThatCannotBe) {
@@ -91,7 +91,7 @@ TEST(SceneReader, ReportsValuesThatCannotBe) {
        {R"({"version": 1, "bodies": [{"shape": {"box": {"size": [1, 1, 1e5], "element_size": 0.001}}}]})",
         "doc#/bodies/0/shape/box/element_size", "2 million"},
        {R"({"version": 1, "bodies": [{"supports": [{"region": {"box": {"minimum": [0, 1, 0]}}}]}]})",
-        "doc#/bodies/0/supports/0/region/box", "maximum lies below the minimum"},
+        "doc#/bodies/0/supports/0/region/box", "maximum is below the minimum"},
        {R"({"version": 1, "bodies": [{"supports": [{"velocity": [0, 1, 0]}]}]})", "doc#/bodies/0/supports/0/velocity",
         "\"kind\": \"prescribed\""},
        {R"({"version": 1, "bodies": [{"loads": [{"kind": "traction", "pressure": 7}]}]})",
@@ -275,9 +275,9 @@ TEST(SceneReader, LimitsHoldForTheWholeScene) {
   };
   const std::string box = R"({"name": "#", "shape": {"box": {"size": [5, 5, 5], "element_size": 0.1}}})";  // 625,000
   EXPECT_THAT(with("bodies", list_of(6, box)), testing::IsEmpty());
-  EXPECT_THAT(with("bodies", list_of(7, box)).at(0).problem(), HasSubstr("4 million tetrahedra in all"));
+  EXPECT_THAT(with("bodies", list_of(7, box)).at(0).problem(), HasSubstr("4 million tetrahedra in total"));
   EXPECT_THAT(with("projectiles", list_of(2, R"({"count": 5000})")), testing::IsEmpty());
-  EXPECT_THAT(with("projectiles", list_of(3, R"({"count": 5000})")).at(0).problem(), HasSubstr("10,000 in all"));
+  EXPECT_THAT(with("projectiles", list_of(3, R"({"count": 5000})")).at(0).problem(), HasSubstr("10,000 in total"));
   for (const char* field : {"bodies", "projectiles", "probes", "cameras"}) {
     const auto problems = with(field, list_of(10'001, "{}"));
     EXPECT_EQ(places(problems), std::vector{std::string("doc#/") + field});

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An empty folder with two "meshes", gone at the end.
+/// Empty folder with two "meshes", removed at the end.
 class SceneRoundTrip : public testing::Test {
  protected:
   void SetUp() override {
@@ -38,7 +38,7 @@ class SceneRoundTrip : public testing::Test {
                            (std::string("griffith_") + testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
-/// Whether `back` was written as `scene`: it has the materials of its bodies among its own, and no more than those.
+/// True if `back` was written as `scene`: it has exactly the materials of its bodies among its own.
 bool is_what_was_written(const Scene& back, Scene scene) {
   for (const Material& material : back.materials) {
     const bool is_of_a_body =
@@ -64,7 +64,7 @@ TEST_F(SceneRoundTrip, DoublesKeepEveryBit) {
   std::mt19937_64 random(5);
   Scene scene;
   scene.bodies.resize(1);
-  scene.bodies[0].position.y() = 1;  // differs from the default, which would be left out
+  scene.bodies[0].position.y() = 1;  // differs from the default, which would be omitted
   const auto bits = [](double value) {
     std::uint64_t pattern;
     std::memcpy(&pattern, &value, sizeof pattern);
@@ -153,7 +153,7 @@ TEST_F(SceneRoundTrip, MaterialsThatShareANameStayApart) {
   for (int i = 0; i < 4; ++i) scene.bodies[i].name = std::to_string(i);
   scene.bodies[0].material.name = scene.bodies[1].material.name = scene.bodies[3].material.name = "mine";
   scene.bodies[1].material.density = 1;
-  scene.bodies[2].material.friction = 0.123;  // still called as the preset that it no longer is
+  scene.bodies[2].material.friction = 0.123;  // still has the name of the preset that it no longer equals
   EXPECT_TRUE(is_what_was_written(scene_from_json(scene_to_json(scene)), scene));
 }
 
@@ -170,7 +170,7 @@ TEST_F(SceneRoundTrip, WhatNoBodyUsesStaysInTheFile) {
   EXPECT_THAT(text, testing::StartsWith("{\n  \"$schema\": \"meshes/scene.schema.json\",\n  \"version\": 1,"));
   EXPECT_TRUE(has(materials_of(text), "spare", 7) && has(materials_of(text), "worn", 8)) << text;
 
-  Scene edited = scene;  // a body's own material keeps its name, one that it gave up stays too
+  Scene edited = scene;  // a body's own material keeps its name, and its former one stays too
   edited.bodies[0].material.density = 9;
   EXPECT_TRUE(has(materials_of(scene_to_json(edited)), "worn", 9));
   edited.bodies[0].material = material_presets()[0].material;

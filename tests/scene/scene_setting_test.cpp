@@ -6,6 +6,7 @@
 #include "sim/scene/scene_reader.h"
 #include "sim/scene/scene_writer.h"
 #include "tests/files/test_folder.h"
+#include "tests/input_error_of.h"
 
 namespace griffith {
 namespace {
@@ -27,11 +28,8 @@ Scene with(const std::vector<std::string>& texts) {
 }
 
 /// The message of the error that `texts` make; empty where they make none.
-std::string refusal(const std::vector<std::string>& texts) try {
-  with(texts);
-  return {};
-} catch (const InputError& error) {
-  return error.what();
+std::string refusal(const std::vector<std::string>& texts) {
+  return input_error_of([&] { with(texts); });
 }
 
 TEST(SceneSetting, ChangesTheFieldAndNothingElse) {
@@ -74,8 +72,9 @@ TEST(SceneSetting, OneNumberForAVectorMayGetComponents) {
 }
 
 TEST(SceneSetting, RefusalsSayWhatWouldBeRight) {
-  EXPECT_NE(refusal({"projectiles/0/sped=3"}).find("#/projectiles/0/sped: is no known field (did you mean \"speed\"?"),
-            std::string::npos)
+  EXPECT_NE(
+      refusal({"projectiles/0/sped=3"}).find("#/projectiles/0/sped: is not a known field (did you mean \"speed\"?"),
+      std::string::npos)
       << refusal({"projectiles/0/sped=3"});
   EXPECT_NE(refusal({"bodies/2/position/0=3"}).find("has items 0 to 1"), std::string::npos);
   EXPECT_NE(refusal({"projectiles/0/speed/x=3"}).find("single value"), std::string::npos);
@@ -83,8 +82,8 @@ TEST(SceneSetting, RefusalsSayWhatWouldBeRight) {
   EXPECT_NE(refusal({"projectiles/0/speed=fast"}).find("#/projectiles/0/speed"), std::string::npos);
   EXPECT_NE(refusal({"bodies/0/strength_scatter/sed=3"}).find("seed"), std::string::npos);
   EXPECT_NE(refusal({"projectiles/0/speed"}).find("POINTER=VALUE"), std::string::npos);
-  EXPECT_NE(refusal({"=3"}).find("is no pointer"), std::string::npos);
-  EXPECT_NE(refusal({"bodies//0=3"}).find("is no pointer"), std::string::npos);
+  EXPECT_NE(refusal({"=3"}).find("is not a pointer"), std::string::npos);
+  EXPECT_NE(refusal({"bodies//0=3"}).find("is not a pointer"), std::string::npos);
 }
 
 TEST(SceneSetting, AValueIsWhatTheSceneSaysOrMeans) {

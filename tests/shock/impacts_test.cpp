@@ -52,7 +52,7 @@ struct Tets {
   }
 };
 
-/// Two tets that lie on each other, somewhere, with a gap between them, and how they move.
+/// Two tets in contact, their placement, the gap between them, and their motion.
 struct Pair {
   Corners4 lower, upper;
   Vec3 lower_velocity, upper_velocity;
@@ -77,8 +77,8 @@ std::vector<Pair> random_pairs(int count) {
   return pairs;
 }
 
-/// Resolves one microstep in which nothing moves; returns the velocities of all nodes. `cracked`: the pairs are the
-/// sides of cracks, else bodies that strike each other.
+/// Resolves one microstep without motion. Returns the velocities of all nodes. `cracked`: the pairs are the sides of
+/// cracks, else bodies in collision.
 std::vector<Vec3> velocities_after(std::span<const Pair> pairs, bool cracked, double& lost, Vec3& momentum_change) {
   Tets tets;
   std::vector<CrackSides> cracks;
@@ -108,8 +108,8 @@ std::vector<Vec3> velocities_after(std::span<const Pair> pairs, bool cracked, do
 
 class PairsOfSides : public ::testing::TestWithParam<bool> {};
 
-/// Sides are judged four at a time: whatever lies beside them must not show.
-TEST_P(PairsOfSides, AreToldTheSameAloneAndBesideOthers) {
+/// Sides are examined four at a time, and neighbors in that group must not matter.
+TEST_P(PairsOfSides, GetTheSameImpulsesAloneAndBesideOthers) {
   const std::vector<Pair> pairs = random_pairs(11);
   double lost = 0;
   Vec3 momentum_change;
@@ -136,7 +136,7 @@ TEST_P(PairsOfSides, KeepMomentumAndAccountForEnergy) {
 
 INSTANTIATE_TEST_SUITE_P(OfCracksAndOfBodies, PairsOfSides, ::testing::Bool());
 
-/// Sides of a crack that overlap meet at their centre without rebound.
+/// Sides of a crack that overlap meet at their center without rebound.
 TEST(Impacts, SidesOfACrackThatCloseStopEachOther) {
   Tets tets;
   Corners4 upper = kUpper;
@@ -169,7 +169,8 @@ Obstacle ball_below(const Vec3& place) {
   return ball;
 }
 
-/// Velocities of the nodes after a microstep of tets with a ball under each, `offsets` away from where it strikes.
+/// Returns velocities of nodes after a microstep of tets with a ball under each, `offsets` away from its position in
+/// contact.
 std::vector<Vec3> struck(std::span<const Vec3> places, std::span<const Vec3> offsets) {
   Tets tets;
   std::vector<Obstacle> balls;
@@ -191,7 +192,7 @@ std::vector<Vec3> struck(std::span<const Vec3> places, std::span<const Vec3> off
   return velocities;
 }
 
-/// What is near an obstacle is looked up by place: nothing near may be left out, however much else there is.
+/// The search by position must find all candidates near an obstacle, however many others there are.
 TEST(Impacts, BallsAmongManyTetsStrikeAsThoseAlone) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> number(-1, 1);

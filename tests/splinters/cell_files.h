@@ -11,7 +11,7 @@
 
 namespace griffith::testing {
 
-/// A convex cell with the corners and sides of a box, which may be moved about.
+/// Convex cell with the corners and sides of a box, which may be moved.
 struct BoxCell {
   std::string name;
   std::array<Vec3, 8> corners;
@@ -24,7 +24,7 @@ inline BoxCell box_cell(const std::string& name, const Vec3& low, const Vec3& hi
   return cell;
 }
 
-/// Writes an object a cell; `faces`: how many of the six are written.
+/// Writes one object per cell. `faces`: number of the six faces that are written.
 inline std::filesystem::path write_cells(const std::filesystem::path& path, const std::vector<BoxCell>& cells,
                                          int faces = 6) {
   constexpr int kFaces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
@@ -45,8 +45,8 @@ inline std::filesystem::path write_cells(const std::filesystem::path& path, cons
   return path;
 }
 
-/// Bricks in running bond about the origin, 1.6 m wide each way and turned: their sides have several neighbours and no
-/// coordinate is exact.
+/// Returns rotated bricks in running bond around the origin, 1.6 m wide each way. Their sides have several neighbors
+/// and no coordinate is exact.
 inline std::vector<BoxCell> turned_bond() {
   const Vec3 size(0.23, 0.17, 0.29);
   const Mat3 turn = Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized()).toRotationMatrix();

@@ -88,13 +88,13 @@ TEST_P(Fragments, AreTheSameForAnyNumberOfThreads) {
   }
 }
 
-TEST_P(Fragments, WallsOfNeighboursAreOpposite) {
+TEST_P(Fragments, WallsOfNeighborsAreOpposite) {
   const CellPartition cells = make_cells(GetParam().pattern, testing::bounds(bodies()[0]));
   for (std::size_t i = 0; i < cells.size(); ++i)
     for (const CellWall& wall : cells[i].walls) {
-      if (wall.neighbour < 0) continue;  // outside of what a file holds
-      for (const CellWall& back : cells[wall.neighbour].walls) {
-        if (back.neighbour != static_cast<int>(i) || wall.inside.normal.dot(back.inside.normal) > 0) continue;
+      if (wall.neighbor < 0) continue;  // outside of what a file holds
+      for (const CellWall& back : cells[wall.neighbor].walls) {
+        if (back.neighbor != static_cast<int>(i) || wall.inside.normal.dot(back.inside.normal) > 0) continue;
         EXPECT_EQ(wall.inside.normal, -back.inside.normal);
         EXPECT_EQ(wall.inside.offset, -back.inside.offset);
       }
@@ -141,8 +141,8 @@ TEST(Patterns, BranchingRaysFillTheBody) {
   EXPECT_GT(cells.size(), make_radial_cells(rings, testing::bounds(mesh)).size());
   for (int i = 0; i < std::ssize(cells); ++i)
     for (const CellWall& wall : cells[i].walls) {
-      const auto& beyond = cells[wall.neighbour].walls;
-      const auto back = std::ranges::find(beyond, i, &CellWall::neighbour);
+      const auto& beyond = cells[wall.neighbor].walls;
+      const auto back = std::ranges::find(beyond, i, &CellWall::neighbor);
       ASSERT_NE(back, beyond.end()) << i;
       EXPECT_EQ(back->inside.normal, -wall.inside.normal);
       EXPECT_EQ(back->inside.offset, -wall.inside.offset);

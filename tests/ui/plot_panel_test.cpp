@@ -54,7 +54,7 @@ TEST_F(PlotPanelTest, AClickGoesToTheStepUnderTheMouse) {
   ui_.move({strip.maximum.x - 6, strip.center().y});
   EXPECT_EQ(ui_.value("plots/step"), "10");
   EXPECT_EQ(ui_.value("plots/value/energy"), "10 kJ");
-  EXPECT_EQ(ui_.value("plots/value/pieces"), "5") << "curves of all strips are told";
+  EXPECT_EQ(ui_.value("plots/value/pieces"), "5") << "curves of all strips have values";
   EXPECT_TRUE(steps_gone_to().empty()) << "nothing is pressed";
   ui_.press(0, true);
   ui_.press(0, false);

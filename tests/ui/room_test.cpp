@@ -1,4 +1,4 @@
-// Where things stand in windows of different sizes, and that none covers another.
+// Positions of elements in windows of different sizes, which must not overlap.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ void open_everything(UiDriver& ui, ImVec2 size) {
     if (find_tag(ui.tags, tag)) ui.click(tag);
 }
 
-/// How many labels there are; none is cut or covered.
+/// Returns the number of labels, after a check that none is cut or covered.
 int expect_whole_labels(const UiDriver& ui, float width) {
   int labels = 0;
   for (std::size_t i = 0; i + 1 < ui.tags.size(); ++i) {

@@ -174,7 +174,7 @@ TEST(ScenePanels, WhatBreaksARuleIsNotTakenAndTheRuleIsShown) {
   const Scene before = ui.history.scene();
   ui.click("body/remeshing");
   EXPECT_EQ(ui.history.scene(), before);
-  EXPECT_THAT(ui.value("field_note"), ::testing::HasSubstr("Remeshing is asked for beside splinters"));
+  EXPECT_THAT(ui.value("field_note"), ::testing::HasSubstr("Remeshing is set together with splinters"));
   ui.click("body/splinters");
   ui.click("body/remeshing");
   EXPECT_TRUE(ui.history.scene().bodies[0].remeshing);

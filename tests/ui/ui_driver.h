@@ -23,7 +23,7 @@ class UiDriver {
   void frame();
   /// Where the middle of a widget is. Fails the test when there is none of that tag.
   ImVec2 find(const std::string& tag);
-  /// What a widget shows.
+  /// Returns the value that a widget shows.
   std::string value(const std::string& tag);
 
   void move(ImVec2 place);
@@ -35,9 +35,9 @@ class UiDriver {
   /// Types text into what has the focus, then Enter.
   void type(const std::string& text);
   void press_key(int key, bool ctrl = false, bool shift = false);
-  /// What was asked for so far.
+  /// Returns the commands issued so far.
   std::vector<CommandId> issued() const;
-  /// What decides whether commands make sense now.
+  /// Returns the context that enables or disables commands.
   CommandContext context() const { return {state, history, input.time, input.frame.step, input.legend.has_value()}; }
 
   EditorInput input;
@@ -45,7 +45,7 @@ class UiDriver {
   EditHistory history;
   WidgetTags tags;
   std::vector<Command> commands;
-  InputQueue queue;  ///< of what the mouse and the keyboard do
+  InputQueue queue;  ///< events of mouse and keyboard
 
  private:
   /// Draws the frames that what was done takes.

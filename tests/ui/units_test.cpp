@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "sim/mesh/number_text.h"
+#include "sim/core/number_text.h"
 #include "ui/model/quantity_parser.h"
 
 namespace griffith::ui {

@@ -42,7 +42,7 @@ void cut(Scene& scene, BoxPattern pattern, int cells_through_thickness) {
   box.element_size = Vec3::Constant(box.size.y() / cells_through_thickness);
 }
 
-/// How far the end face sinks, on average [m].
+/// Returns the mean deflection of the end face [m].
 double tip_deflection(const Scene& scene) {
   Specimen specimen(scene);
   specimen.equilibrate();
@@ -59,7 +59,8 @@ double node_count(BoxPattern pattern, int n) {
   return pattern == BoxPattern::bcc ? corners + 10.0 * n * n * n : corners;
 }
 
-/// What a finer or coarser mesh of a pattern would give: log(1 − share) is nearly linear in the logarithm of the nodes.
+/// Returns the expected fraction for another mesh of a pattern: log(1 − fraction) is nearly linear in the logarithm of
+/// the nodes.
 double interpolated_fraction(const std::vector<int>& cells, const std::vector<double>& fractions, BoxPattern pattern,
                              double nodes) {
   std::size_t i = 1;

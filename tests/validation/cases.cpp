@@ -48,7 +48,7 @@ std::span<const Case> cases() {
        cantilever_tip_load},
       {"CantileverGravity", "Cantilever 10:1:1 under gravity",
        "The tip sinks by qL⁴/8EI + qL²/(2κGA); expected are the shares of the load at the tip.", cantilever_gravity},
-      {"Locking", "Locking towards incompressibility",
+      {"Locking", "Locking toward incompressibility",
        "The cantilever's share of its deflection while ν → 0.5: linear tets lock, each share below the one before.",
        locking},
       {"BarInTension", "Bar in tension",

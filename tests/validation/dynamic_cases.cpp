@@ -159,7 +159,7 @@ Balance balance_of(Specimen& specimen) {
   return balance;
 }
 
-/// How far momenta have moved from where they were, relative to them.
+/// Returns the relative change of momenta.
 double momentum_error(const Balance& now, const Balance& start) {
   return std::max((now.momentum - start.momentum).norm() / start.momentum.norm(),
                   (now.angular_momentum - start.angular_momentum).norm() / start.angular_momentum.norm());

@@ -52,7 +52,7 @@ std::vector<int> interior_nodes(const Specimen& specimen, const Vec3& size) {
   return specimen.nodes_where([&](const Vec3& x) { return ((size / 2 - x.cwiseAbs()).array() > 1e-9).all(); });
 }
 
-/// A tet about a metre in size, and the same one strained by some percent.
+/// Tet of about a meter, and the same one strained by some percent.
 struct Element {
   RestElement rest;
   Corners corners;

@@ -6,7 +6,7 @@
 
 namespace griffith::validation {
 
-/// How a figure is judged.
+/// Comparison of a result with its expected value.
 enum class Check {
   near,      ///< no further than the tolerance from what is expected
   at_most,   ///< no larger than what is expected
@@ -34,7 +34,7 @@ Row near(const MeshLabel& mesh, const std::string& quantity, double expected, do
 Row at_most(const MeshLabel& mesh, const std::string& quantity, double limit, double got);
 Row at_least(const MeshLabel& mesh, const std::string& quantity, double limit, double got);
 
-/// How far refinement goes: for tests seconds, for the table minutes.
+/// Extent of refinement: seconds for tests, minutes for the table.
 enum class Extent { test, table };
 
 /// A known answer and the figures that the program gives.

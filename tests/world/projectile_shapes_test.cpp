@@ -132,8 +132,9 @@ TEST(ProjectileShapes, BadOnesAreNamed) {
   contains(message(R"({"shape": {"points": [[0, 0]]}})"), "doc#/projectiles/0/shape/points/0");
   contains(message(R"({"shape": {"surface": {"path": "nothing.obj"}}})"), "doc#/projectiles/0/shape/surface/path");
   contains(message(R"({"shape": {"cone": {}}})"), "doc#/projectiles/0/shape");
-  contains(message(R"({"density": 3, "mass": 2})"), "doc#/projectiles/0/density: stands beside a mass");
-  contains(message(R"({"radius": 3, "shape": {"box": {}}})"), "doc#/projectiles/0/radius: stands beside another shape");
+  contains(message(R"({"density": 3, "mass": 2})"), "doc#/projectiles/0/density: is set together with a mass");
+  contains(message(R"({"radius": 3, "shape": {"box": {}}})"),
+           "doc#/projectiles/0/radius: is set together with a shape");
   EXPECT_EQ(message(R"({"density": 3, "shape": {"box": {"size": [1, 2, 3]}}})"), "");
 }
 

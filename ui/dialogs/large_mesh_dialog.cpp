@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "sim/mesh/number_text.h"
+#include "sim/core/number_text.h"
 #include "ui/dialogs/dialog_window.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/widgets/widgets.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/mesh/number_text.h"
+#include "sim/core/number_text.h"
 #include "sim/world/scaled_breaks.h"
 #include "sim/world/step_counters.h"
 #include "ui/model/energy_share.h"

@@ -1,4 +1,4 @@
-// Draws a ball without a window and tells what is in the middle of the picture.
+// Draws a ball without a window and prints the content of the picture's center.
 #include <griffith/renderer/egl_context.h>
 #include <griffith/renderer/renderer.h>
 

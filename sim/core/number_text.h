@@ -22,7 +22,21 @@ void append_number(std::string& text, T value, char end) {
   text += end;
 }
 
-/// A count for people: "8,012".
+/// Returns the shortest text that reads back as the same number.
+inline std::string number_text(double value) {
+  std::string text;
+  append_number(text, value);
+  return text;
+}
+
+/// Returns a number rounded to at most `digits` significant digits: "0.25", "1e+06".
+inline std::string rounded_text(double value, int digits) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
+}
+
+/// Returns a count with separators: "8,012".
 inline std::string count_text(long long count) {
   std::string digits = std::to_string(count);
   const std::size_t first = count < 0 ? 1 : 0;
@@ -30,7 +44,7 @@ inline std::string count_text(long long count) {
   return digits;
 }
 
-/// A place for people: "(1, 0.25, -2)".
+/// Returns a position as text: "(1, 0.25, -2)".
 inline std::string place_text(const Vec3& place) {
   char text[96];
   std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", place.x(), place.y(), place.z());
