@@ -12,7 +12,7 @@ namespace {
 /// What the iterations work on: see iterate_conjugate_gradients().
 struct DoubleVectors {
   const BlockSparseMatrix& a;
-  const RigidModePreconditioner& preconditioner;
+  const Preconditioning& preconditioner;
   NodeVectors &x, &r;
   NodeVectors p = {}, a_p = {}, z = {};
 
@@ -75,8 +75,8 @@ int refine_in_single_precision(const BlockSparseMatrix& a, const RigidModePrecon
 
 }  // namespace
 
-SolveReport conjugate_gradient(const BlockSparseMatrix& a, const RigidModePreconditioner& preconditioner,
-                               const NodeVectors& b, NodeVectors& x, double tolerance, double scale, int max_iterations,
+SolveReport conjugate_gradient(const BlockSparseMatrix& a, const Preconditioning& preconditioner, const NodeVectors& b,
+                               NodeVectors& x, double tolerance, double scale, int max_iterations,
                                const std::function<bool()>& given_up) {
   NodeVectors a_p;
   multiply(a, x, a_p);
@@ -88,9 +88,9 @@ SolveReport conjugate_gradient(const BlockSparseMatrix& a, const RigidModePrecon
   const double target = tolerance * scale;
 
   SolveReport report;
-  if (suits_single_precision(a, tolerance))
+  if (!preconditioner.factors && suits_single_precision(a, tolerance))
     report.iterations =
-        refine_in_single_precision(a, preconditioner, b, target, max_iterations, given_up, x, r, residual);
+        refine_in_single_precision(a, preconditioner.modes, b, target, max_iterations, given_up, x, r, residual);
   DoubleVectors vectors{a, preconditioner, x, r};
   residual = iterate_conjugate_gradients(vectors, residual, target, max_iterations, given_up, report.iterations);
   report.relative_residual = scale > 0 ? residual / scale : 0;

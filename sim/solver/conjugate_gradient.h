@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "sim/solver/factor_preconditioner.h"
 #include "sim/solver/preconditioner.h"
 
 namespace griffith {
@@ -12,12 +13,26 @@ struct SolveReport {
   bool converged = true;
 };
 
+/// What makes conjugate gradients converge quickly: the factors of a matrix, or rigid motions of aggregates.
+struct Preconditioning {
+  Preconditioning(const RigidModePreconditioner& of_modes) : modes(of_modes) {}
+  Preconditioning(const RigidModePreconditioner& of_modes, const FactorPreconditioner* of_factors)
+      : modes(of_modes), factors(of_factors && of_factors->exists() ? of_factors : nullptr) {}
+
+  const RigidModePreconditioner& modes;
+  const FactorPreconditioner* factors = nullptr;  ///< used where there are any
+
+  double apply(const NodeVectors& r, NodeVectors& z) const {
+    return factors ? factors->apply(r, z) : modes.apply(r, z);
+  }
+};
+
 /// Preconditioned conjugate gradients (Hestenes & Stiefel 1952) for A x = b, A symmetric positive definite. They start
 /// from the best multiple of what is in `x` (least error in the energy norm), so that a bad guess costs nothing. Stops
 /// at |b − A x| <= tolerance · scale, or when `given_up`, asked before each iteration, says so. Large matrices and
-/// tolerances from 1e-5 on start in single precision, refined by residuals in double.
-SolveReport conjugate_gradient(const BlockSparseMatrix& a, const RigidModePreconditioner& preconditioner,
-                               const NodeVectors& b, NodeVectors& x, double tolerance, double scale, int max_iterations,
+/// tolerances from 1e-5 on start in single precision, refined by residuals in double, unless there are factors.
+SolveReport conjugate_gradient(const BlockSparseMatrix& a, const Preconditioning& preconditioner, const NodeVectors& b,
+                               NodeVectors& x, double tolerance, double scale, int max_iterations,
                                const std::function<bool()>& given_up = {});
 
 }  // namespace griffith

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <utility>
 
 #include "sim/core/sort_unique.h"
 #include "sim/solver/rigid_motion.h"
@@ -61,6 +62,10 @@ ContactPreconditioner::ContactPreconditioner(std::span<const DeformableInertia> 
 
 void ContactPreconditioner::reduce_coarse_spaces() {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (const FactorPreconditioner* factors = deformable_[i].factors; factors && factors->exists()) {
+      bodies_[i].inverse.emplace(deformable_[i], bodies_[i].touched);
+      continue;
+    }
     if (aggregate_count(deformable_[i]) == 0) continue;
     const RigidModePreconditioner& modes = *deformable_[i].preconditioner;
     std::vector<int> aggregates;
@@ -78,6 +83,7 @@ void ContactPreconditioner::number_unknowns() {
     body.first_touched = unknowns_;
     body.first_aggregate = unknowns_ + 3 * static_cast<int>(body.touched.size());
     unknowns_ = body.first_aggregate + (body.reduction ? 6 * body.reduction->kept() : 0);
+    if (body.inverse) unknowns_ = body.first_touched + body.inverse->size();
     rigid_offset_ += 3 * deformable_[i].rows();
   }
   first_rigid_ = unknowns_;
@@ -89,15 +95,21 @@ void ContactPreconditioner::add_side(const ContactSide& side, const Mat3& axes) 
   if (!side.deformable) return jacobian_.add(first_rigid_ + 6 * side.body, axes * rigid_modes(side.arm));
   const BodyUnknowns& body = bodies_[side.body];
   const DeformableInertia& inertia = deformable_[side.body];
+  const bool has_whole = body.inverse && inertia.whole.exists();
+  RigidModes of_whole =
+      has_whole && !side.offset.isZero(0) ? body.inverse->whole_turning(side.offset) : RigidModes::Zero();
+  of_whole = axes * of_whole;
   for (int i = 0; i < 3; ++i) {
     const int row = side.point.rows[i];
     if (row < 0) continue;
     const Mat3 weight = axes * side.point.weights[i];
     jacobian_.add(body.row_unknown(row), weight);
+    if (has_whole) of_whole += weight * body.inverse->whole_at(row);
     if (!body.reduction || row >= inertia.preconditioner->node_rows()) continue;
     jacobian_.add(body.first_aggregate + 6 * body.reduction->slot(inertia.preconditioner->aggregate_of(row)),
                   weight * rigid_modes(inertia.preconditioner->arm(row)));
   }
+  if (has_whole) jacobian_.add(body.first_aggregate, of_whole);
 }
 
 void ContactPreconditioner::build_jacobian(std::span<const FrictionContact> contacts) {
@@ -112,6 +124,12 @@ void ContactPreconditioner::build_pattern() {
   Triplets triplets;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const BodyUnknowns& body = bodies_[i];
+    if (body.inverse) {
+      add_block(body.inverse->stiffness(), body.first_touched, body.first_touched, triplets);
+      if (deformable_[i].whole.exists())
+        add_block(Eigen::MatrixXd::Identity(6, 6), body.first_aggregate, body.first_aggregate, triplets);
+      continue;
+    }
     for (const int row : body.touched)
       add_block(inverse_diagonal(deformable_[i], row).inverse(), body.row_unknown(row), body.row_unknown(row),
                 triplets);
@@ -197,8 +215,14 @@ void add_coarse(const RigidModePreconditioner& modes, const Eigen::VectorXd& coa
 void ContactPreconditioner::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) const {
   Eigen::VectorXd reduced = Eigen::VectorXd::Zero(unknowns_);
   std::vector<Eigen::VectorXd> coarse(bodies_.size());
+  std::vector<std::vector<double>> of_factors(bodies_.size());
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const BodyUnknowns& body = bodies_[i];
+    if (body.inverse) {
+      const Eigen::Map<const NodeVectors> of_body(r.data() + body.offset, 3, deformable_[i].rows());
+      reduced.segment(body.first_touched, body.inverse->size()) = body.inverse->restrict(of_body, of_factors[i]);
+      continue;
+    }
     for (const int row : body.touched) reduced.segment<3>(body.row_unknown(row)) = r.segment<3>(body.offset + 3 * row);
     if (!body.reduction) continue;
     coarse[i] = coarse_residual(*deformable_[i].preconditioner, r.segment(body.offset, 3 * deformable_[i].rows()));
@@ -211,6 +235,11 @@ void ContactPreconditioner::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) 
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const BodyUnknowns& body = bodies_[i];
     auto of_body = z.segment(body.offset, 3 * deformable_[i].rows());
+    if (body.inverse) {
+      body.inverse->extend(solved.segment(body.first_touched, body.inverse->size()), std::move(of_factors[i]),
+                           Eigen::Map<NodeVectors>(of_body.data(), 3, deformable_[i].rows()));
+      continue;
+    }
     for (int row = 0; row < deformable_[i].rows(); ++row)
       of_body.segment<3>(3 * row) = inverse_diagonal(deformable_[i], row) * r.segment<3>(body.offset + 3 * row);
     for (const int row : body.touched) of_body.segment<3>(3 * row) = solved.segment<3>(body.row_unknown(row));

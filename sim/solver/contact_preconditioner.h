@@ -8,6 +8,7 @@
 #include "sim/solver/coarse_reduction.h"
 #include "sim/solver/contact_jacobian.h"
 #include "sim/solver/contact_problem.h"
+#include "sim/solver/touched_inverse.h"
 
 namespace griffith {
 
@@ -20,6 +21,7 @@ namespace griffith {
 /// is factored without the nodes that nothing touches, whose y follows alone, and, where they are few, with the
 /// aggregates alone that contacts touch (CoarseReduction). The number of iterations so depends on
 /// the stiffness of the contacts as little as on that of the bodies (fictitious space lemma: Nepomnyaschikh 1991).
+/// Where a body has factors, its touched rows alone take part, with their Schur complement (TouchedInverse).
 /// Rigid bodies are aggregates without local displacements, solved exactly.
 class ContactPreconditioner {
  public:
@@ -38,6 +40,7 @@ class ContactPreconditioner {
   struct BodyUnknowns {
     std::vector<int> touched;                  ///< rows, ascending
     std::optional<CoarseReduction> reduction;  ///< none without a coarse space
+    std::optional<TouchedInverse> inverse;     ///< of a body with factors
     int first_touched = 0, first_aggregate = 0;
     int offset = 0;  ///< in the vector of all velocities
     int row_unknown(int row) const;

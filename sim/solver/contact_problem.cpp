@@ -82,7 +82,7 @@ class Bodies {
         of_body -= whole;
       }
       if (body.matrix) {
-        body.preconditioner->apply(of_body, z);
+        Preconditioning(*body.preconditioner, body.factors).apply(of_body, z);
       } else {
         z = of_body * body.masses.cwiseInverse().asDiagonal();
       }
@@ -480,8 +480,8 @@ NodeVectors respond_alone(const DeformableInertia& body, const NodeVectors& impu
       whole.col(i) /= body.whole.damping * body.whole.masses[i];
     whole = body.whole.part_of(whole);
   }
-  conjugate_gradient(*body.matrix, *body.preconditioner, rest, deforming, relative_residual, std::sqrt(dot(rest, rest)),
-                     max_iterations);
+  conjugate_gradient(*body.matrix, {*body.preconditioner, body.factors}, rest, deforming, relative_residual,
+                     std::sqrt(dot(rest, rest)), max_iterations);
   if (body.whole.exists()) deforming -= body.whole.part_of(deforming);
   return whole + deforming;
 }

@@ -6,6 +6,7 @@
 #include "sim/core/linear_algebra.h"
 #include "sim/core/point_compliance.h"
 #include "sim/solver/block_sparse_matrix.h"
+#include "sim/solver/factor_preconditioner.h"
 #include "sim/solver/preconditioner.h"
 
 namespace griffith {
@@ -32,6 +33,7 @@ struct DeformableInertia {
   const RigidModePreconditioner* preconditioner = nullptr;  ///< of `matrix`
   Eigen::VectorXd masses = {};                              ///< per row, of an explicit step [kg]
   WholeMotion whole = {};
+  const FactorPreconditioner* factors = nullptr;  ///< of `matrix`, where there are any
   int rows() const { return matrix ? matrix->rows() : static_cast<int>(masses.size()); }
 };
 

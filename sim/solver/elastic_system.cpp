@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "sim/mesh/topology.h"
 #include "sim/solver/direct_solve.h"
@@ -60,9 +61,9 @@ void add_centrifugal_impulses(int nodes, const Vec3& center, const Vec3& spin, c
 /// that only the deformation is solved for: no residual can slow a fall or a swing, and convergence is relative to what
 /// is elastic. `add_centrifugal(rigid, impulses)` adds what that motion does to the shape.
 template <class Field, class Centrifugal>
-SolveReport solve_beside(const BlockSparseMatrix& a, const RigidModePreconditioner& preconditioner,
-                         const ImplicitStep& step, const Eigen::VectorXd& masses, const NodeVectors& b,
-                         const Field& rigid_field, const Centrifugal& add_centrifugal, NodeVectors& x) {
+SolveReport solve_beside(const BlockSparseMatrix& a, const Preconditioning& preconditioner, const ImplicitStep& step,
+                         const Eigen::VectorXd& masses, const NodeVectors& b, const Field& rigid_field,
+                         const Centrifugal& add_centrifugal, NodeVectors& x) {
   const Eigen::VectorXd inverse_masses = (masses * (1 + step.dt * step.mass_damping)).cwiseInverse();
   const NodeVectors rigid = rigid_field(b * inverse_masses.asDiagonal());
   NodeVectors product;
@@ -93,9 +94,9 @@ void project_row(BlockSparseMatrix& a, int row, const Mat3& allowed) {
 }
 
 /// Solves for a body that turns about a pivot. Places are positions of nodes, then offsets of edges.
-SolveReport solve_swinging(const BlockSparseMatrix& a, const RigidModePreconditioner& preconditioner,
-                           const ImplicitStep& step, const Pivot& pivot, int nodes, const NodeVectors& places,
-                           const Eigen::VectorXd& masses, const NodeVectors& b, NodeVectors& x) {
+SolveReport solve_swinging(const BlockSparseMatrix& a, const Preconditioning& preconditioner, const ImplicitStep& step,
+                           const Pivot& pivot, int nodes, const NodeVectors& places, const Eigen::VectorXd& masses,
+                           const NodeVectors& b, NodeVectors& x) {
   const auto swing = [&](const NodeVectors& velocities) {
     const Vec3 spin = spin_of_nodes(nodes, pivot, places, velocities, masses);
     NodeVectors field(3, places.cols());
@@ -148,7 +149,10 @@ ElasticSystem::ElasticSystem(const TetMesh& mesh, const TetEdges& topology, std:
   for (std::size_t i = 0; i < unknown_edges.size(); ++i)
     if (!edge_constraints[i].is_free())
       sliding_.push_back({row_of_edge[unknown_edges[i]], edge_constraints[i].allowed});
-  preconditioner_.emplace(RigidModePreconditioner(matrix(), node_rows, aggregate_size(node_rows)));
+  EliminationPlan plan = plan_elimination(matrix());
+  const bool is_factored = FactorPreconditioner::is_affordable(plan);
+  if (is_factored) factors_.emplace(std::move(plan), std::vector<TetId>(tets.begin(), tets.end()));
+  preconditioner_.emplace(RigidModePreconditioner(matrix(), is_factored ? 0 : node_rows, aggregate_size(node_rows)));
 }
 
 std::size_t ElasticSystem::memory(const ElasticSystem* beside) const {
@@ -160,6 +164,7 @@ std::size_t ElasticSystem::memory(const ElasticSystem* beside) const {
   std::size_t size = sizeof(*this);
   if (!beside || !rows_.shares_with(beside->rows_)) size += rows_->memory();
   if (!beside || !support_rows_.shares_with(beside->support_rows_)) size += support_rows_->memory();
+  if (factors_ && !(beside && beside->factors_ && factors_->shares_with(*beside->factors_))) size += factors_->memory();
   return size + size_of(&ElasticSystem::inputs_) + size_of(&ElasticSystem::preconditioner_);
 }
 
@@ -227,6 +232,7 @@ void ElasticSystem::assemble(const MatrixFactors& factors, const ElasticLaw& law
   support_rows_.edit().assemble(factors, law, rest_elements, states, masses, edge_masses);
   project_sliding_rows();
   preconditioner_->edit().update(matrix(), gather(positions));
+  if (factors_) factors_->update(matrix(), factors, states);
 }
 
 void ElasticSystem::project_sliding_rows() {
@@ -257,9 +263,11 @@ SolveReport ElasticSystem::solve(const ImplicitStep& step, std::span<const Vec3>
   SolveReport report;
   if (is_free()) {
     report = solve_free(step, places, mass, b, x);
+    if (factors_) factors_->count_iterations(report.iterations);
   } else if (const std::optional<Pivot> pivot = pivot_of(supports(), constraints, positions)) {
     project(b);
-    report = solve_swinging(rows_->matrix, **preconditioner_, step, *pivot, count, places, mass, b, x);
+    report = solve_swinging(rows_->matrix, preconditioning(), step, *pivot, count, places, mass, b, x);
+    if (factors_) factors_->count_iterations(report.iterations);
     project(x);
   } else {
     report = solve_projected(constraints, step.relative_residual, step.max_iterations, b, x);
@@ -309,12 +317,14 @@ void ElasticSystem::project_right_hand_side(std::span<const NodeConstraint> cons
 
 SolveReport ElasticSystem::solve_projected(std::span<const NodeConstraint> constraints, double relative_residual,
                                            int max_iterations, NodeVectors b, NodeVectors& x,
-                                           const std::function<bool()>& given_up) const {
+                                           const std::function<bool()>& given_up) {
   if (rows() == 0) return {};
   project_right_hand_side(constraints, b);
   project(x);
-  return conjugate_gradient(rows_->matrix, **preconditioner_, b, x, relative_residual, std::sqrt(dot(b, b)),
-                            max_iterations, given_up);
+  const SolveReport report = conjugate_gradient(rows_->matrix, preconditioning(), b, x, relative_residual,
+                                                std::sqrt(dot(b, b)), max_iterations, given_up);
+  if (factors_) factors_->count_iterations(report.iterations);
+  return report;
 }
 
 bool ElasticSystem::solve_directly(std::span<const NodeConstraint> constraints, NodeVectors b, NodeVectors& x) const {
@@ -351,7 +361,7 @@ SolveReport ElasticSystem::solve_free(const ImplicitStep& step, const NodeVector
     const RigidMotion motion = motion_of_nodes(count, places, rigid, masses);
     add_centrifugal_impulses(count, motion.center, motion.angular_velocity, places, masses, step.dt, impulses);
   };
-  return solve_beside(rows_->matrix, **preconditioner_, step, masses, b, rigid_field, centrifugal, x);
+  return solve_beside(rows_->matrix, preconditioning(), step, masses, b, rigid_field, centrifugal, x);
 }
 
 }  // namespace griffith

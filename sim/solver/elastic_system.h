@@ -91,7 +91,7 @@ class ElasticSystem {
   /// Solves S A S x = S (b − A w) for x = S x, w the known part of the constraints; one column a row. `x` holds a
   /// guess. `given_up`: as in conjugate_gradient().
   SolveReport solve_projected(std::span<const NodeConstraint> constraints, double relative_residual, int max_iterations,
-                              NodeVectors b, NodeVectors& x, const std::function<bool()>& given_up = {}) const;
+                              NodeVectors b, NodeVectors& x, const std::function<bool()>& given_up = {});
   /// Solves it by a factorisation; false when that breaks down, and `x` is left alone.
   bool solve_directly(std::span<const NodeConstraint> constraints, NodeVectors b, NodeVectors& x) const;
   /// The values of nodes() and edges() out of values per node and per edge of the mesh, one column a row; zero for
@@ -111,6 +111,8 @@ class ElasticSystem {
   const BlockSparseMatrix& matrix() const { return rows_->matrix; }
   /// Of matrix(), after assemble().
   const RigidModePreconditioner& preconditioner() const { return **preconditioner_; }
+  /// Factors of matrix(), of a quadratic body whose are affordable, or null; after assemble().
+  const FactorPreconditioner* factors() const { return factors_ ? &*factors_ : nullptr; }
   /// About what it takes, but for what it shares with `beside` [bytes].
   std::size_t memory(const ElasticSystem* beside = nullptr) const;
 
@@ -132,6 +134,7 @@ class ElasticSystem {
                         std::span<const Vec3> edge_velocities);
   SolveReport solve_free(const ImplicitStep& step, const NodeVectors& places, const Eigen::VectorXd& masses,
                          const NodeVectors& b, NodeVectors& x) const;
+  Preconditioning preconditioning() const { return {preconditioner(), factors()}; }
   Eigen::VectorXd gather_masses(std::span<const double> masses, std::span<const double> of_edges) const;
 
   CopyOnWrite<ElementRows> rows_;  // S A S, one row a node that is not held
@@ -142,6 +145,7 @@ class ElasticSystem {
   std::vector<Vec3> reactions_;                        // of the last solve() and add_reactions()
   std::optional<CopyOnWrite<AssemblyInputs>> inputs_;  // of the matrix; none since the rows changed
   std::optional<CopyOnWrite<RigidModePreconditioner>> preconditioner_;
+  std::optional<FactorPreconditioner> factors_;  // in its stead
 };
 
 }  // namespace griffith

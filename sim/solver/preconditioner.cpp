@@ -126,7 +126,7 @@ RigidModePreconditioner::Fingerprint RigidModePreconditioner::fingerprint(const 
 
 bool RigidModePreconditioner::is_close(const Fingerprint& a, const Fingerprint& b) {
   constexpr double kSquare = kSameMatrix * kSameMatrix;
-  if (a.arms.cols() != b.arms.cols()) return false;
+  if (a.inverse_diagonal.size() != b.inverse_diagonal.size()) return false;
   if (!((a.arms - b.arms).squaredNorm() <= kSquare * a.arms.squaredNorm())) return false;
   if (!((a.pushes - b.pushes).squaredNorm() <= kSquare * a.pushes.squaredNorm())) return false;
   double change = 0, size = 0;

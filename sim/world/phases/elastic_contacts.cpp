@@ -33,6 +33,7 @@ DeformableInertia deformable_inertia(const WorldState& world, const Body& body, 
   if (!world.integrates_explicitly()) {
     inertia.matrix = &body.system->matrix();
     inertia.preconditioner = &body.system->preconditioner();
+    inertia.factors = body.system->factors();
     return inertia;
   }
   const std::span<const NodeId> nodes = body.system->nodes();

@@ -112,8 +112,9 @@ class Deformation {
   NodeVectors direction(const NodeVectors& residual) const {
     constexpr double kForcing = 0.01;
     NodeVectors d = NodeVectors::Zero(3, residual.cols());
-    conjugate_gradient(body_.system->matrix(), body_.system->preconditioner(), residual, d, kForcing,
-                       std::sqrt(dot(residual, residual)), world_.model->scene.simulation.max_solver_iterations);
+    conjugate_gradient(body_.system->matrix(), {body_.system->preconditioner(), body_.system->factors()}, residual, d,
+                       kForcing, std::sqrt(dot(residual, residual)),
+                       world_.model->scene.simulation.max_solver_iterations);
     if (whole_.exists()) d -= whole_.part_of(d);
     body_.system->project(d);
     return d;

@@ -1,0 +1,234 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "sim/core/rotation.h"
+#include "sim/elasticity/quadratic_element.h"
+#include "sim/mesh/tet_edges.h"
+#include "sim/solver/conjugate_gradient.h"
+#include "sim/solver/dense_cholesky.h"
+#include "sim/solver/touched_inverse.h"
+#include "tests/random_values.h"
+#include "tests/solver/elastic_box.h"
+
+namespace griffith {
+namespace {
+
+using testing::ElasticBox;
+using testing::RandomValues;
+
+constexpr double kLongStep = 1e-2;
+
+NodeVectors random_columns(RandomValues& random, int count) {
+  NodeVectors v(3, count);
+  for (int i = 0; i < count; ++i) v.col(i) = random.vector();
+  return v;
+}
+
+/// A strip one element thick, of quadratic elements.
+struct QuadraticStrip {
+  ElasticBox body;
+  TetEdges topology;
+  std::vector<int> edge_rows;
+  std::vector<double> edge_masses;
+  std::optional<ElasticSystem> system;
+
+  explicit QuadraticStrip(bool held, const Vec3& size = Vec3(2, 0.05, 0.4),
+                          const Vec3& element_size = Vec3(0.2, 0.05, 0.2))
+      : body(make_box(size, element_size, BoxPattern::five_tet), 7e10) {
+    add_edges(body.mesh, body.tets, topology);
+    edge_rows.assign(topology.ends.size(), -1);
+    edge_masses.assign(topology.ends.size(), body.masses[NodeId(0)]);
+    for (const NodeId node : IdRange<NodeId>(0, body.mesh.node_count()))
+      if (held && body.positions[node].x() < -size.x() / 2 + 1e-9) body.constraints[node] = NodeConstraint::held();
+    system.emplace(body.mesh, topology, body.tets, body.constraints, body.constraints, body.rows, edge_rows);
+  }
+  void assemble(double dt = kLongStep) {
+    system->assemble({.dt = dt}, body.law(), body.rest_elements, body.states, body.positions, body.masses, edge_masses);
+  }
+  /// Puts nodes elsewhere; edges stay straight.
+  template <class Map>
+  void move(const Map& map) {
+    for (const NodeId node : IdRange<NodeId>(0, body.mesh.node_count()))
+      body.positions[node] = map(Vec3(body.mesh.rest_positions[node]));
+    body.update_states();
+  }
+  /// Iterations of conjugate gradients for random impulses.
+  int iterations(double tolerance = 1e-8) const {
+    RandomValues random(3);
+    const NodeVectors b = random_columns(random, system->rows());
+    NodeVectors x = NodeVectors::Zero(3, system->rows());
+    const SolveReport report = conjugate_gradient(system->matrix(), {system->preconditioner(), system->factors()}, b, x,
+                                                  tolerance, b.norm(), 2000);
+    EXPECT_TRUE(report.converged);
+    return report.iterations;
+  }
+  WholeMotion whole() const {
+    WholeMotion whole;
+    whole.masses = Eigen::Map<const Eigen::VectorXd>(body.masses.data(), body.masses.size());
+    whole.arms = system->gather(body.positions);
+    const Vec3 center = whole.arms.leftCols(whole.masses.size()) * whole.masses / whole.masses.sum();
+    whole.arms.leftCols(whole.masses.size()).colwise() -= center;
+    whole.inverse_mass = 1 / whole.masses.sum();
+    Mat3 inertia = Mat3::Zero();
+    for (Eigen::Index i = 0; i < whole.masses.size(); ++i)
+      inertia += whole.masses[i] * (whole.arms.col(i).squaredNorm() * Mat3::Identity() -
+                                    whole.arms.col(i) * whole.arms.col(i).transpose());
+    whole.inverse_inertia = inertia.inverse();
+    return whole;
+  }
+};
+
+TEST(DenseCholesky, FactorsPanelsAndLeavesTheSchurComplement) {
+  RandomValues random(1);
+  for (const int columns : {1, 3, 4, 23, 24, 25, 60, 101}) {
+    const int rows = columns + columns / 2;
+    Eigen::MatrixXd half(rows, rows);
+    for (double& entry : half.reshaped()) entry = random.uniform(-1, 1);
+    const Eigen::MatrixXd a = half * half.transpose() + Eigen::MatrixXd::Identity(rows, rows);
+    Eigen::MatrixXd panel = a.leftCols(columns);
+    ASSERT_TRUE(factor_panel({panel.data(), rows, columns, rows}));
+    const Eigen::MatrixXd lower = Eigen::MatrixXd(a.llt().matrixL());
+    for (int j = 0; j < columns; ++j)
+      EXPECT_LT((panel.col(j) - lower.col(j)).tail(rows - j).norm(), 1e-10 * a.norm()) << columns << ' ' << j;
+
+    const int rest = rows - columns;
+    Eigen::MatrixXd remainder = a.bottomRightCorner(rest, rest);
+    subtract_square({remainder.data(), rest, rest, rest}, {panel.data() + columns, rest, columns, rows});
+    const Eigen::MatrixXd below = lower.bottomRightCorner(rest, rest), expected = below * below.transpose();
+    for (int j = 0; j < rest; ++j)
+      EXPECT_LT((remainder.col(j) - expected.col(j)).tail(rest - j).norm(), 1e-10 * a.norm());
+  }
+}
+
+TEST(DenseCholesky, RefusesWhatIsNotPositive) {
+  Eigen::MatrixXd indefinite = Eigen::MatrixXd::Identity(30, 30);
+  indefinite(27, 27) = -1;
+  EXPECT_FALSE(factor_panel({indefinite.data(), 30, 30, 30}));
+}
+
+TEST(EliminationPlan, NumbersEachRowOnceAndCoversTheFactor) {
+  QuadraticStrip strip(false);
+  const EliminationPlan plan = plan_elimination(strip.system->matrix());
+  std::vector<int> places = plan.places;
+  std::ranges::sort(places);
+  for (std::size_t i = 0; i < places.size(); ++i) EXPECT_EQ(places[i], static_cast<int>(i));
+  int next = 0;
+  for (std::size_t f = 0; f < plan.fronts.size(); ++f) {
+    const Front& front = plan.fronts[f];
+    EXPECT_EQ(front.first, next);
+    next += front.columns;
+    EXPECT_EQ(front.parent < 0, front.below.empty());
+    if (front.parent < 0) continue;
+    EXPECT_GT(front.parent, static_cast<int>(f));
+    const Front& parent = plan.fronts[front.parent];
+    for (const int place : front.below)
+      EXPECT_TRUE(place < parent.first + parent.columns || std::ranges::binary_search(parent.below, place));
+  }
+  EXPECT_EQ(next, strip.system->rows());
+}
+
+TEST(FactorPreconditioner, IsTheInverseOfTheMatrixThatItWasMadeOf) {
+  for (const bool held : {false, true}) {
+    QuadraticStrip strip(held);
+    strip.assemble();
+    ASSERT_TRUE(strip.system->factors() && strip.system->factors()->exists());
+    RandomValues random(2);
+    const NodeVectors expected = random_columns(random, strip.system->rows());
+    NodeVectors product, found;
+    multiply(strip.system->matrix(), expected, product);
+    const double energy = strip.system->factors()->apply(product, found);
+    EXPECT_LT((found - expected).norm(), 1e-5 * expected.norm());
+    EXPECT_NEAR(energy, dot(expected, product), 1e-9 * energy);
+    EXPECT_LE(strip.iterations(), 3);
+  }
+}
+
+TEST(FactorPreconditioner, TurnsWithTheBody) {
+  QuadraticStrip strip(false);
+  strip.assemble();
+  const Mat3 turn = rotation_by(Vec3(0.4, 1.1, -0.7)).toRotationMatrix();
+  strip.move([&](const Vec3& place) { return Vec3(turn * place + Vec3(3, 4, 5)); });
+  strip.assemble();
+  EXPECT_EQ(strip.system->factors()->factorization_count(), 1);
+  EXPECT_LE(strip.iterations(), 4);
+}
+
+TEST(FactorPreconditioner, IsMadeAnewWhereElementsTurnedOrTheStepChanged) {
+  QuadraticStrip strip(false);
+  strip.assemble();
+  strip.move([](const Vec3& place) { return Vec3(place + 1e-3 * Vec3(0, place.x() * place.x(), 0)); });
+  strip.assemble();
+  EXPECT_EQ(strip.system->factors()->factorization_count(), 1) << "a little bent";
+  EXPECT_LE(strip.iterations(), 40);
+  strip.move([](const Vec3& place) { return Vec3(place + 0.2 * Vec3(0, place.x() * place.x(), 0)); });
+  strip.assemble();
+  EXPECT_EQ(strip.system->factors()->factorization_count(), 2) << "much bent";
+  EXPECT_LE(strip.iterations(), 3);
+  strip.assemble(kLongStep / 3);
+  EXPECT_EQ(strip.system->factors()->factorization_count(), 3) << "another step";
+  EXPECT_LE(strip.iterations(), 3);
+}
+
+TEST(FactorPreconditioner, IterationsDoNotGrowWithTheAspect) {
+  for (const double thickness : {0.2, 0.05, 0.0125}) {
+    QuadraticStrip strip(true, Vec3(2, thickness, 0.4), Vec3(0.2, thickness, 0.2));
+    strip.assemble(0.1);
+    EXPECT_LE(strip.iterations(), 4) << thickness;
+  }
+}
+
+TEST(FactorPreconditioner, GivesTheSameBitsOnAnyNumberOfThreads) {
+  std::vector<NodeVectors> found;
+  for (const int threads : {1, 2, 4}) {
+    const ThreadLimit limit(threads);
+    QuadraticStrip strip(false, Vec3(2, 0.2, 1), Vec3(0.1, 0.1, 0.1));
+    strip.assemble();
+    RandomValues random(4);
+    strip.system->factors()->apply(random_columns(random, strip.system->rows()), found.emplace_back());
+  }
+  EXPECT_EQ(found[0], found[1]);
+  EXPECT_EQ(found[0], found[2]);
+}
+
+/// With the same springs at the touched rows, condensation gives what the whole matrix does.
+TEST(TouchedInverse, CondensesTheMatrixExactly) {
+  QuadraticStrip strip(false, Vec3(0.4, 0.05, 0.4));
+  strip.assemble();
+  const DeformableInertia body{.matrix = &strip.system->matrix(),
+                               .preconditioner = &strip.system->preconditioner(),
+                               .whole = strip.whole(),
+                               .factors = strip.system->factors()};
+  const std::vector<int> touched = {0, 3, strip.system->rows() - 1};
+  const TouchedInverse inverse(body, touched);
+  ASSERT_EQ(inverse.size(), 3 * 3 + 6);
+
+  RandomValues random(6);
+  const NodeVectors r = random_columns(random, body.rows());
+  std::vector<double> reduced;
+  const Eigen::VectorXd impulses = inverse.restrict(r, reduced);
+  // Springs of this stiffness between touched rows and the ground: J of the unknowns is [I, B W^½].
+  Eigen::MatrixXd to_rows(9, 15);
+  for (int i = 0; i < 3; ++i) {
+    to_rows.middleRows(3 * i, 3).leftCols(9) = Eigen::MatrixXd::Identity(9, 9).middleRows(3 * i, 3);
+    to_rows.middleRows(3 * i, 3).rightCols(6) = inverse.whole_at(touched[i]);
+  }
+  const double spring = 10 * strip.body.masses[NodeId(0)];
+  Eigen::MatrixXd condensed = spring * to_rows.transpose() * to_rows;
+  condensed.topLeftCorner(9, 9) += inverse.stiffness();
+  condensed.bottomRightCorner(6, 6) += Eigen::MatrixXd::Identity(6, 6);
+  NodeVectors z(3, body.rows());
+  inverse.extend(condensed.llt().solve(impulses), reduced, z);
+
+  // The body without its whole, and the whole by itself.
+  NodeVectors product;
+  const NodeVectors whole = body.whole.part_of(z);
+  multiply(*body.matrix, z - whole, product);
+  product -= body.whole.momentum_of(product);
+  for (Eigen::Index i = 0; i < body.whole.masses.size(); ++i) product.col(i) += body.whole.masses[i] * whole.col(i);
+  for (const int row : touched) product.col(row) += spring * z.col(row);
+  EXPECT_LT((product - r).norm(), 1e-3 * r.norm());
+}
+
+}  // namespace
+}  // namespace griffith
