@@ -71,7 +71,7 @@ bool is_zero(std::span<const Number> x) {
     if constexpr (std::is_same_v<Number, double>) {
       if (number != 0) return false;
     } else {
-      if (simd::any(number != 0.0)) return false;
+      if (simd::any_of(number != 0.0)) return false;
     }
   }
   return true;
