@@ -73,7 +73,7 @@ TEST(Autosave, ACopyNeitherReadsNorWritesThroughALink) {
   EXPECT_FALSE(Autosave(test_folder() / "states").find(file));
 }
 
-TEST(Autosave, TheNameOfACopyTellsWhoseItIs) {
+TEST(Autosave, TheNameOfACopyReportsWhoseItIs) {
   const fs::path file = small_wall_file(), copy = file.parent_path() / ".small_wall.json.edits-a1b2c3";
   fs::remove_all(copy);
   fs::create_directories(copy);
@@ -86,7 +86,7 @@ TEST(Autosave, TheNameOfACopyTellsWhoseItIs) {
   EXPECT_FALSE(fs::exists(copy));
 }
 
-TEST(Autosave, ACopyThatCannotBeReadIsToldAndStays) {
+TEST(Autosave, ACopyThatCannotBeReadIsReportedAndStays) {
   const fs::path states = test_folder() / "states";
   fs::remove_all(states);
   Autosave(states).write(small_wall(), "");
@@ -118,7 +118,7 @@ TEST(Autosave, InstancesThatRunLeaveEachOthersCopiesAlone) {
   EXPECT_FALSE(Autosave(states).find(file));
 }
 
-TEST(Autosave, ACopyWhoseFolderVanishedIsBegunAnew) {
+TEST(Autosave, ACopyWhoseFolderVanishedIsBegunAgain) {
   const fs::path states = test_folder() / "states", file = small_wall_file();
   fs::remove_all(states);
   {

@@ -15,7 +15,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-TEST(Bench, TellsTimesMemoryAndStateOfEachSceneAndNumberOfThreads) {
+TEST(Bench, ReportsTimesMemoryAndStateOfEachSceneAndNumberOfThreads) {
   const std::filesystem::path scene = small_wall_file(), file = test_folder() / "times.json";
   const Outcome outcome =
       run_program("bench " + scene.string() + " --frames 12 --repeats 2 --thread-counts 1,2 --json " + file.string());

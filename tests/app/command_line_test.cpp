@@ -61,7 +61,7 @@ TEST(CommandLine, MissingFileIsExitCode2AndNamed) {
   }
 }
 
-TEST(CommandLine, ASlipInTheNameOfACommandIsToldFromAMissingScene) {
+TEST(CommandLine, ASlipInTheNameOfACommandIsDistinguishedFromAMissingScene) {
   for (const char* arguments : {"frobnicate", "rende scene.json -o a.png"}) {
     const Outcome outcome = run_program(arguments);
     EXPECT_EQ(outcome.code, 2);
@@ -98,7 +98,7 @@ TEST(CommandLine, BadSceneIsExitCode2WithThePlaceOfEachProblem) {
   EXPECT_THAT(checked.output, HasSubstr("small_wall.json: valid"));
 }
 
-TEST(CommandLine, ABadMeshIsToldWithSceneBodyFileAndLine) {
+TEST(CommandLine, ABadMeshIsReportedWithSceneBodyFileAndLine) {
   test_file("bad.node", "4 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 one 0\n3 0 0 1\n");
   test_file("bad.ele", "1 4 0\n0 0 1 2 3\n");
   const auto path = test_file("meshed.json", R"({"version": 1, "bodies": [{"name": "floor"},
@@ -117,7 +117,7 @@ constexpr char kHouse[] =
     "1\n8 0 1 1\n9 0.5 0.5 2\n$EndNodes\n$Elements\n4\n1 5 2 1 1 1 2 3 4 5 6 7 8\n2 4 2 1 1 6 7 8 9\n3 4 2 1 1 6 8 5 "
     "9\n4 2 2 1 1 1 2 3\n$EndElements\n";
 
-TEST(CommandLine, WhatIsSplitAndSkippedOfAMeshIsToldByEveryCommand) {
+TEST(CommandLine, WhatIsSplitAndSkippedOfAMeshIsReportedByEveryCommand) {
   test_file("house.msh", kHouse);
   Scene scene;
   scene.folder = test_folder();
@@ -160,7 +160,7 @@ TEST(CommandLine, EditorWithoutDisplaySaysWhatToDoInstead) {
 }
 
 /// A run of so many steps would take hours.
-TEST(CommandLine, AnOutputThatCannotBeWrittenIsToldBeforeTheWork) {
+TEST(CommandLine, AnOutputThatCannotBeWrittenIsReportedBeforeTheWork) {
   const std::string scene = small_wall_file().string();
   const std::string file = test_file("file", "").string();
   std::vector<std::string> bad = {"render --frame 9000000 -o /no/such/a.png " + scene,
@@ -212,7 +212,7 @@ TEST(CommandLine, PipesAndDevicesAreNoInput) {
   }
 }
 
-TEST(CommandLine, AMissingTetgenIsTold) {
+TEST(CommandLine, AMissingTetgenIsReported) {
   const auto bin = test_folder() / "bin";
   std::filesystem::create_directories(bin);
   if (!std::filesystem::exists(bin / "stdbuf")) std::filesystem::create_symlink("/usr/bin/stdbuf", bin / "stdbuf");
@@ -222,7 +222,7 @@ TEST(CommandLine, AMissingTetgenIsTold) {
   EXPECT_THAT(outcome.output, HasSubstr("TetGen is not installed"));
 }
 
-TEST(CommandLine, AMissingFolderForTemporaryFilesIsTold) {
+TEST(CommandLine, AMissingFolderForTemporaryFilesIsReported) {
   const Outcome outcome = run_program("check " GRIFFITH_SOURCE_DIR "/scenes/vase_shot.json",
                                       "TMPDIR=/no/such/folder XDG_CACHE_HOME=" + (test_folder() / "cache").string());
   EXPECT_EQ(outcome.code, 2) << outcome.output;

@@ -127,7 +127,7 @@ TEST(CrackDust, SuitsTheMaterial) {
   EXPECT_TRUE(none.crumbs.empty());
 }
 
-TEST(CrackDust, IsDrawnInNaturalColoursAloneAndWhereItIsWanted) {
+TEST(CrackDust, IsDrawnInNaturalColorsAloneAndWhereItIsWanted) {
   const Scene scene = shot_wall(preset("brick", 1e4));
   const World world = cracked(scene);
   const EmbeddedDisplay display = embedded_display(World(scene).frame(), scene);

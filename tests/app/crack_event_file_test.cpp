@@ -29,7 +29,7 @@ TEST(CrackEventFile, HoldsEveryEventWithItsElements) {
   }
 }
 
-TEST(CrackEventFile, TellsTheScaleAtWhichEachOpened) {
+TEST(CrackEventFile, ReportsTheScaleAtWhichEachOpened) {
   Scene scene = testing::shot_wall(Vec3(3, 3, 1), 0.75, testing::brick(0.02));
   scene.bodies[0].material.young_modulus *= 100;  // for more microsteps than the budget pays for
   scene.simulation.step_budget = 0.1;

@@ -109,7 +109,7 @@ TEST(DrawSceneFromFrame, OnlyFacesThatWereInsideAreCracks) {
   EXPECT_EQ(cracks, 1);
 }
 
-TEST(DrawSceneFromFrame, InNaturalColoursACrackHasTheColourOfTheInside) {
+TEST(DrawSceneFromFrame, InNaturalColorsACrackHasTheColorOfTheInside) {
   const World world(small_wall());
   const Frame start = world.frame();
   const CutFrame cut(start);
@@ -129,7 +129,7 @@ TEST(DrawSceneFromFrame, InNaturalColoursACrackHasTheColourOfTheInside) {
   EXPECT_EQ(inside, 1);
 }
 
-TEST(DrawSceneFromFrame, ClearMatterHasOneColourWhicheverFaceLightPasses) {
+TEST(DrawSceneFromFrame, ClearMatterHasOneColorWhicheverFaceLightPasses) {
   int clear = 0;
   for (const MaterialPreset& preset : material_presets()) {
     Scene scene = small_wall();
@@ -165,7 +165,7 @@ TEST(DrawSceneFromFrame, SelectionAndLockedRangeAreTakenOver) {
   }
 }
 
-TEST(DrawSceneFromFrame, ColoursOfWhatHasASignPartAtZeroUnlessOthersAreChosen) {
+TEST(DrawSceneFromFrame, ColorsOfWhatHasASignPartAtZeroUnlessOthersAreChosen) {
   World world(small_wall());
   for (int step = 0; step < 8; ++step) world.step();
   const Frame frame = world.frame();

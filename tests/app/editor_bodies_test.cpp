@@ -222,7 +222,7 @@ TEST_F(BodiesTest, WhatKeysAskForWhileTheWorldIsBuiltIsDoneAfterIt) {
   EXPECT_EQ(value("bodies/0"), "block 3");
 }
 
-TEST_F(BodiesTest, WhatWaitedForWorkThatIsCancelledIsToldAndNotDone) {
+TEST_F(BodiesTest, WhatWaitedForWorkThatIsCancelledIsReportedAndNotDone) {
   std::filesystem::create_directories(test_folder());
   write_scene(large_blocks(), file("blocks.json"));
   editor_.open(file("blocks.json"));

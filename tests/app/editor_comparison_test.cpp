@@ -110,7 +110,7 @@ TEST_F(ComparisonTest, GoingToTheComparedBranchLetsTheTwoChangePlaces) {
   EXPECT_THAT(value("compare/difference"), HasSubstr("Branch 1 differs from step 4"));
 }
 
-TEST_F(ComparisonTest, ABranchThatBeginsMeanwhileIsComparedAnew) {
+TEST_F(ComparisonTest, ABranchThatBeginsMeanwhileIsComparedAgain) {
   fork();
   click("time/compare");
   draw(2);

@@ -75,7 +75,7 @@ TEST_F(ExportTest, PicturesOfOthersAreNotReplacedUnasked) {
   EXPECT_TRUE(editor_.state().work.empty());
 }
 
-TEST_F(ExportTest, ACancelledOneTellsThePicturesThatAreThere) {
+TEST_F(ExportTest, ACancelledOneReportsThePicturesThatAreThere) {
   run(5);
   write(test_folder() / "wall.png");
   draw(2);
@@ -104,7 +104,7 @@ TEST_F(ExportTest, CancelLeavesNoFile) {
   }
 }
 
-TEST_F(ExportTest, WhatCannotBeWrittenIsToldBefore) {
+TEST_F(ExportTest, WhatCannotBeWrittenIsReportedBefore) {
   run(2);
   write(test_folder() / "run.xyz");
   draw(2);

@@ -76,7 +76,7 @@ TEST_F(EditorFiles, ValuesFromTheCommandLineAreEditsThatAreNotSaved) {
   EXPECT_EQ(editor.title().find('*'), std::string::npos) << editor.title();
 }
 
-TEST_F(EditorFiles, AnotherFileIsReplacedOnlyWhenToldSo) {
+TEST_F(EditorFiles, AnotherFileIsReplacedOnlyOnRequest) {
   const fs::path own = small_wall_file(), other = test_file("other.json", "not to be lost");
   editor_.open(own);
   draw(2);

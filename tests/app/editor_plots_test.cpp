@@ -86,7 +86,7 @@ TEST_F(EditorPlots, AFolderThatCannotBeWrittenToIsSaid) {
   EXPECT_THAT(editor_.state().error->where, HasSubstr("/nowhere"));
 }
 
-TEST_F(EditorPlots, AnotherWorldBeginsAnew) {
+TEST_F(EditorPlots, AnotherWorldBeginsAgain) {
   press_key('P');
   make_steps(5);
   click("command/simulation.reset");

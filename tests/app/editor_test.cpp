@@ -171,7 +171,7 @@ TEST_F(EditorTest, AutomaticRangeIsThatOfAPictureOfTheStepAlone) {
   EXPECT_TRUE(editor_.state().view.range->cast<float>() == headless.range()->cast<float>());
 }
 
-TEST_F(EditorTest, AutomaticRangeStartsAnewWithAnotherMaterial) {
+TEST_F(EditorTest, AutomaticRangeStartsAgainWithAnotherMaterial) {
   for (int step = 0; step < 24; ++step) editor_.step();
   choose_material("concrete");
   SteadyRange alone;

@@ -75,7 +75,7 @@ TEST(Exaggeration, HeldNodesStayAndPlacesThatAreNotFiniteToo) {
   }
 }
 
-TEST(Exaggeration, APictureTellsItsFactor) {
+TEST(Exaggeration, APictureReportsItsFactor) {
   World world(small_wall());
   ViewSettings view;
   view.deformation_scale = 50;

@@ -38,7 +38,7 @@ tinygltf::Model read_glb(const std::string& bytes) {
   return model;
 }
 
-TEST(Glb, ReadsBackWithAllThingsTrianglesAndTimes) {
+TEST(Glb, ReadsBackWithAllObjectsTrianglesAndTimes) {
   const Bake bake = wall_bake();
   const tinygltf::Model model = read_glb(glb_file(bake));
   ASSERT_EQ(model.nodes.size(), bake.objects.size());
@@ -69,7 +69,7 @@ TEST(Glb, DeformedPointsAreMorphTargets) {
     EXPECT_EQ(primitive.targets.size(), bake.times.size());
 }
 
-TEST(Export, EveryFormatTellsWhatBrokeScaled) {
+TEST(Export, EveryFormatReportsWhatBrokeScaled) {
   Bake bake = wall_bake();
   for (BakedObject& object : bake.objects) object.broke_scaled.reset();
   EXPECT_EQ(usda_file(bake).find("scaleFactor"), std::string::npos);
@@ -84,7 +84,7 @@ TEST(Export, EveryFormatTellsWhatBrokeScaled) {
   EXPECT_EQ(node->extras.Get("scale_factor").GetNumberAsDouble(), 0.25);
 }
 
-TEST(BakeJson, TellsThingsAndBonds) {
+TEST(BakeJson, ReportsObjectsAndBonds) {
   const Bake bake = wall_bake();
   const auto json = nlohmann::json::parse(bake_json(bake));
   ASSERT_EQ(json["things"].size(), bake.objects.size());
@@ -102,7 +102,7 @@ TEST(BondCsv, HasARowABond) {
   EXPECT_EQ(rows, bake.bonds.size() + 1);
 }
 
-TEST(Usda, IsBalancedAndNamesEachThingOnce) {
+TEST(Usda, IsBalancedAndNamesEachObjectOnce) {
   const Bake bake = wall_bake(true);
   const std::string text = usda_file(bake);
   std::string open;
@@ -148,7 +148,7 @@ TEST(ExportCommand, WritesTheSameFilesWithAnyNumberOfThreads) {
   EXPECT_EQ(one, bytes_with("4"));
 }
 
-TEST(ExportCommand, BadOutputsAndFramesAreToldBeforeTheRun) {
+TEST(ExportCommand, BadOutputsAndFramesAreReportedBeforeTheRun) {
   const std::string scene = small_wall_file().string();
   const auto refused = [&](const std::string& arguments, const char* what) {
     const Outcome outcome = run_program("export " + scene + " " + arguments);
@@ -183,7 +183,7 @@ Vec3 low_corner(const BakedObject& object, std::size_t frame) {
 }
 
 /// Compares first and last places of objects, and their last points, as Blender reads them (z is up).
-TEST(ExportCommand, BlenderFindsEveryThingWhereItIs) {
+TEST(ExportCommand, BlenderFindsEveryObjectWhereItIs) {
   if (std::system(
           "blender -b --python-expr 'import numpy' 2>&1 | grep -q 'No module' || ! command -v blender >/dev/null") == 0)
     GTEST_SKIP() << "no Blender with numpy";

@@ -156,7 +156,7 @@ class HtmlPlayerInBrowser : public ::testing::Test {
   }
 };
 
-TEST_F(HtmlPlayerInBrowser, PlaysStepsPicksAndTells) {
+TEST_F(HtmlPlayerInBrowser, PlaysStepsPicksAndReports) {
   const Json result = in_browser("blocks", flying_blocks(), R"(
     player.draw();
     result.thereAtFirst = player.there;

@@ -64,7 +64,7 @@ constexpr char kTets[] =
     "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n$EndNodes\n"
     "$Elements\n2\n1 7 2 1 1 1 2 3 4 5\n2 2 2 1 1 1 2 3\n$EndElements\n";
 
-TEST(MeshCommand, TetsNeedNoFillingAndTheirQualityIsTold) {
+TEST(MeshCommand, TetsNeedNoFillingAndTheirQualityIsReported) {
   const auto mesh = test_file("pyramid.msh", kTets);
   const Outcome told = run_program("mesh " + mesh.string());
   EXPECT_EQ(told.code, 0) << told.output;

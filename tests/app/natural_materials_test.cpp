@@ -31,7 +31,7 @@ TEST(NaturalMaterials, WordsOfANameTellTheLook) {
   for (const char* nothing : {"", "device", "licensed 3", "7"}) EXPECT_EQ(preset_alike(named(nothing)), "rubber");
 }
 
-TEST(NaturalMaterials, WithoutAWordDensityTellsItHoweverSoftTheMaterialIs) {
+TEST(NaturalMaterials, WithoutAWordDensityReportsItHoweverSoftTheMaterialIs) {
   for (const char* key : {"brick", "granite", "marble", "plaster", "ice", "mild_steel"}) {
     Material material = find_material_preset(key).value();
     material.name = "1";

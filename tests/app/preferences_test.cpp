@@ -47,7 +47,7 @@ std::string problem_of_preferences(const std::string& text) {
   return input_error_of([&] { PreferencesFile(test_file("preferences.json", text)).read(); });
 }
 
-TEST(Preferences, DamagedFilesAreToldOf) {
+TEST(Preferences, DamagedFilesAreReported) {
   EXPECT_THAT(problem_of_preferences("{\"ui_scale\": "), HasSubstr("holds no preferences"));
   EXPECT_THAT(problem_of_preferences(""), HasSubstr("delete it"));
   EXPECT_THAT(problem_of_preferences("{\"ui_scale\": 40}"), HasSubstr("#/ui_scale: is 40"));

@@ -7,7 +7,7 @@
 namespace griffith::app {
 namespace {
 
-TEST(RateMeter, TellsWhatAClockMeasuresWhateverTheFrames) {
+TEST(RateMeter, ReportsWhatAClockMeasuresWhateverTheFrames) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(0.5, 1.5);
   for (const double cost : {1e-3, 0.02, 0.3, 1.4, 20.0}) {  // of a step [s], on average

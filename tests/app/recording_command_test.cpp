@@ -100,7 +100,7 @@ TEST(RecordingCommand, WithoutGraphicsABugReportSaysSo) {
   EXPECT_THAT(report.extras.at("log.txt"), HasSubstr("no picture: "));
 }
 
-TEST(RecordingCommand, WrongUsageAndFilesAreTold) {
+TEST(RecordingCommand, WrongUsageAndFilesAreReported) {
   const std::string scene = quoted(small_wall_file());
   EXPECT_EQ(run_program("replay").code, 2);
   EXPECT_EQ(run_program("replay " + quoted(test_folder() / "none")).code, 2);

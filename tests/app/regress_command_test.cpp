@@ -60,7 +60,7 @@ TEST_F(RegressCommand, WhatWasAcceptedPassesAndWhatWasNotDoesNot) {
   EXPECT_EQ(regress("").code, 1);
 }
 
-TEST_F(RegressCommand, AChangedSimulationIsToldFromAChangedDrawing) {
+TEST_F(RegressCommand, AChangedSimulationIsDistinguishedFromAChangedDrawing) {
   accept_all();
   Scene scene = small_wall();
   scene.projectiles[0].speed *= 1.001;
@@ -115,7 +115,7 @@ TEST_F(RegressCommand, AJobThatCannotBeDrawnFailsAloneAndSaysWhy) {
   EXPECT_NE(content_of(suite_ / "report.html").find("gone"), std::string::npos);
 }
 
-TEST_F(RegressCommand, AGoldenPictureOfAnotherRendererIsComparedAndToldOf) {
+TEST_F(RegressCommand, AGoldenPictureOfAnotherRendererIsComparedAndReported) {
   accept_all();
   fs::rename(golden("").parent_path(), suite_ / "goldens" / "Some-Other-Card");
   const Outcome outcome = regress("");
@@ -129,7 +129,7 @@ TEST_F(RegressCommand, OnlyWhatIsNamedIsAccepted) {
   EXPECT_FALSE(fs::exists(golden("wall_body_0000.png")));
 }
 
-TEST_F(RegressCommand, ADamagedGoldenPictureIsToldAndAcceptedAnew) {
+TEST_F(RegressCommand, ADamagedGoldenPictureIsReportedAndAcceptedAgain) {
   accept_all();
   std::ofstream(golden("wall_body_0009.json")) << "<<<<<<< HEAD";
   fs::remove(golden("wall_body_0000.ids.png"));

@@ -110,7 +110,7 @@ TEST(RenderCommand, APictureThatFindsNoRoomLeavesTheOldOne) {
 }
 
 /// A file that is no library stands in for one that is missing.
-TEST(RenderCommand, AMissingLibraryOfGraphicsIsTold) {
+TEST(RenderCommand, AMissingLibraryOfGraphicsIsReported) {
   const auto folder = test_folder() / "libraries";
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "libEGL.so.1") << "no library";
@@ -193,7 +193,7 @@ TEST(RenderCommand, ContactSheetHasAllPicturesAtTheirPlaces) {
   EXPECT_TRUE(found);
 }
 
-TEST(RenderCommand, VideoHasAllPicturesOrFfmpegIsToldToBeMissing) {
+TEST(RenderCommand, VideoHasAllPicturesOrFfmpegIsReportedMissing) {
   const std::filesystem::path video = test_folder() / "wall.mp4";
   const std::string command =
       "render " + small_wall_file().string() + " --size 160x100 --frames 0:9 --video " + video.string();

@@ -62,7 +62,7 @@ class RunHistoryTest : public ::testing::Test {
   RunHistory history_;
 };
 
-TEST_F(RunHistoryTest, TellsWhatTheWorldReports) {
+TEST_F(RunHistoryTest, ReportsWhatTheWorldReports) {
   ProjectileBurst shot;
   shot.speed = 60;
   timeline_.fire(shot);

@@ -65,7 +65,7 @@ TEST(ThumbnailMaker, AnEditedSceneHasAnotherPicture) {
   EXPECT_THROW(thumbnail_entry("folder", test_folder() / "none.json"), InputError);
 }
 
-TEST(ThumbnailMaker, ADamagedPictureIsDrawnAnew) {
+TEST(ThumbnailMaker, ADamagedPictureIsDrawnAgain) {
   fs::remove_all(test_folder());
   const fs::path file = small_wall_file(), entry = thumbnail_entry(source().folder, file);
   fs::create_directories(entry.parent_path());
@@ -148,7 +148,7 @@ TEST(ShippedThumbnails, ACommandDrawsThoseThatAreMissing) {
   EXPECT_EQ(run_program("thumbnail " + file.string()).code, 2) << "where to?";
 }
 
-TEST(SceneCard, TellsWhatAFileHoldsOrWhatIsWrongWithIt) {
+TEST(SceneCard, ReportsWhatAFileHoldsOrWhatIsWrongWithIt) {
   folder_of_two();
   const ui::SceneCard wall = scene_card(small_wall_file()), notes = scene_card(test_folder() / "notes.json");
   EXPECT_EQ(wall.title, "small wall");

@@ -158,7 +158,7 @@ TEST(Verdict, SaysWhetherAndWhyANodeBroke) {
   }
 }
 
-TEST(Verdict, TellsWhatStoodInForTheMaterial) {
+TEST(Verdict, ReportsWhatStoodInForTheMaterial) {
   Scene scene = small_wall();
   scene.simulation.time_step = 0.02;
   scene.simulation.step_budget = 0.1;

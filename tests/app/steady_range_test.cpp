@@ -45,7 +45,7 @@ TEST(SteadyRange, HangsOnStepsNotOnHowOftenItIsAsked) {
   }
 }
 
-TEST(SteadyRange, AnotherQuantityOrWorldStartsAnew) {
+TEST(SteadyRange, AnotherQuantityOrWorldStartsAgain) {
   World world(small_wall());
   for (int step = 0; step < 12; ++step) world.step();
   SteadyRange steady;

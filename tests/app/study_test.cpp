@@ -229,7 +229,7 @@ TEST(FlipSearch, WorksAcrossZeroAndDownwards) {
   EXPECT_GE(flips[0].above, 0.125);
 }
 
-TEST(FlipSearch, OfWholeNumbersEndsBetweenNeighbours) {
+TEST(FlipSearch, OfWholeNumbersEndsBetweenNeighbors) {
   Asked asked{[](double value) { return value >= 6; }};
   const auto flips = flips_among(search_flips({.whole = true}, {1, 9}, std::ref(asked)));
   ASSERT_EQ(flips.size(), 1u);

@@ -66,7 +66,7 @@ TEST(SweepCommand, PicturesOfAnotherStepAreOthers) {
   EXPECT_NE(read_file(folder / "pictures/step_0/0001.png"), read_file(folder / "pictures/step_9/0001.png"));
 }
 
-TEST(SweepCommand, TellsWhatSimulateTells) {
+TEST(SweepCommand, ReportsWhatSimulateReports) {
   const fs::path scene = small_wall_file(), folder = fresh_folder("sweep"), stats = test_folder() / "stats.json";
   const std::string value = "projectiles/0/speed=60";
   ASSERT_EQ(run_program(sweep_of(scene, folder, "--frames 20 --vary " + value)).code, 0);
@@ -261,7 +261,7 @@ TEST(FindCommand, RefusesSettingsThatTakeBackOthers) {
   }
 }
 
-TEST(FindCommand, TellsProbabilitiesAndWhereConditionsFail) {
+TEST(FindCommand, ReportsProbabilitiesAndWhereConditionsFail) {
   const fs::path scene = small_wall_file();
   const std::string scatter = " --set 'bodies/0/strength_scatter={\"weibull_modulus\": 8}' --seeds 3";
   const Outcome chances = run_program("find " + scene.string() + " --frames 20 --parameter projectiles/0/speed=0,80 " +

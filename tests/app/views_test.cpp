@@ -109,7 +109,7 @@ struct LayerCase {
   bool struck;        ///< shown when the wall is struck, else when it has broken
 };
 
-TEST_F(ViewsTest, EveryLayerShowsItsSignsInItsColours) {
+TEST_F(ViewsTest, EveryLayerShowsItsSignsInItsColors) {
   const LayerCase cases[] = {
       {"stress_axes", sign_color::kCompression, true},
       {"stress_ellipsoids", sign_color::kCompression, true},
@@ -180,7 +180,7 @@ TEST_F(ViewsTest, SymmetricRangeReachesAsFarBelowZero) {
   EXPECT_FALSE(style.has_nan);
 }
 
-TEST_F(ViewsTest, UnlitPixelsHaveTheLegendsColourOfTheirElementsValue) {
+TEST_F(ViewsTest, UnlitPixelsHaveTheLegendsColorOfTheirElementsValue) {
   ViewSettings view;
   view.quantity = "von_mises";
   view.shading = view.edges = false;

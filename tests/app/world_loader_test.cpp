@@ -62,7 +62,7 @@ TEST(WorldLoader, AMeshLargerThanWantedIsMadeWhenAskedForAgain) {
   EXPECT_EQ(loader.take()->world.frame().elements.tets.size(), 40u);
 }
 
-TEST(WorldLoader, ASurfaceThatCannotBeReadIsToldWithItsBody) {
+TEST(WorldLoader, ASurfaceThatCannotBeReadIsReportedWithItsBody) {
   SurfaceShape surface;
   surface.path = test_folder() / "missing.off";
   surface.meshing.element_size = 0.05;

@@ -18,7 +18,7 @@ std::string error_of(const std::string& name, std::string_view content) {
 
 constexpr char kPointer[] = "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n";
 
-TEST(FileContent, PointersOfGitLfsAreToldOfEveryKindOfFile) {
+TEST(FileContent, PointersOfGitLfsAreReportedEveryKindOfFile) {
   for (const char* name : {"a.obj", "a.msh", "a.vtk", "a.json", "a.tar.zst", "a.png", "a.STL", "verts.csv", "a"})
     EXPECT_THAT(error_of(name, kPointer), HasSubstr("is a pointer of Git LFS, not the file itself (install git-lfs"))
         << name;

@@ -39,7 +39,7 @@ TEST(ReadFile, PipesAndDevicesAreRefusedWithoutWaiting) {
   EXPECT_THROW(require_regular_file(pipe), InputError);
 }
 
-TEST(ReadFile, WhatCannotBeReadIsToldWithItsReason) {
+TEST(ReadFile, WhatCannotBeReadIsReportedWithItsReason) {
   const auto folder = empty_folder();
   EXPECT_EQ(problem_of(folder), "is a folder");
   EXPECT_EQ(problem_of(folder / "none"), "no such file");

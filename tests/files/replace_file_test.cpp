@@ -96,7 +96,7 @@ TEST(ReplaceFile, LinksStayLinksAndTheFileAtTheirEndIsReplacedOrMade) {
   EXPECT_EQ(files_in(folder / "deep"), 3);
 }
 
-TEST(ReplaceFile, LinksToNowhereAreToldAndRemoveNothing) {
+TEST(ReplaceFile, LinksToNowhereAreReportedAndRemoveNothing) {
   const fs::path folder = empty_folder();
   written(folder / ".part", "mine");
   fs::create_symlink("/no/such/folder/x", folder / "nowhere");
@@ -121,7 +121,7 @@ TEST(ReplaceFile, AFullDiskLeavesTheOldFileAndNothingElse) {
   EXPECT_EQ(files_in(folder), 1);
 }
 
-TEST(ReplaceFile, AFullDeviceIsToldAndStaysADevice) {
+TEST(ReplaceFile, AFullDeviceIsReportedAndStaysADevice) {
   EXPECT_THAT(problem_of([] { replace_file("/dev/full", "x"); }), HasSubstr("No space left on device"));
   EXPECT_TRUE(fs::is_character_file("/dev/full"));
   EXPECT_EQ(problem_of([] { replace_file("/dev/null", "x"); }), "none");
@@ -153,7 +153,7 @@ TEST(ReplaceFile, ManyWritersAtOnceAllSucceed) {
   EXPECT_EQ(files_in(folder), 1);
 }
 
-TEST(ReplaceFile, WhatCannotBeIsToldBefore) {
+TEST(ReplaceFile, WhatCannotBeIsReportedBefore) {
   const fs::path folder = empty_folder(), file = written(folder / "file", "x");
   EXPECT_EQ(problem_of([&] { check_replaceable(folder / "new"); }), "none");
   EXPECT_EQ(problem_of([&] { check_replaceable(file); }), "none");

@@ -92,7 +92,7 @@ TEST(SplitCells, EveryFormatGivesTheSameTets) {
   }
 }
 
-TEST(SplitCells, TellsWhatBecameOfThem) {
+TEST(SplitCells, ReportsWhatBecameOfThem) {
   CellReport report;
   EXPECT_THAT(findings(report), IsEmpty());
   report.split[static_cast<int>(hexahedron)] = 1200;
@@ -140,7 +140,7 @@ TEST(SplitCells, ThinCellsGetNoNodes) {
   }
 }
 
-TEST(SplitCells, ANeighbourOfTetsTakesTheirDiagonal) {
+TEST(SplitCells, ANeighborOfTetsTakesTheirDiagonal) {
   for (const bool other : {false, true}) {
     CellMesh house;
     house.points = cube_points();

@@ -51,7 +51,7 @@ double remedy_in(const std::string& finding) {
   return found ? std::stod(match[1]) : 0;
 }
 
-TEST(LatticeParting, IsToldWithTheElementSizeThatKeepsItTogether) {
+TEST(LatticeParting, IsReportedWithTheElementSizeThatKeepsItTogether) {
   for (const double bar : {0.05, 0.07}) {
     const SurfaceMesh parted = meshed(dumbbell(bar), 0.25);
     EXPECT_EQ(pieces_in(parted), 2);
@@ -66,7 +66,7 @@ TEST(LatticeParting, IsToldWithTheElementSizeThatKeepsItTogether) {
 }
 
 /// A spout is often a shell of its own that reaches into the pot.
-TEST(LatticeParting, IsToldOfShellsThatCross) {
+TEST(LatticeParting, IsReportedShellsThatCross) {
   const TriangleSurface pot = sphere_surface(0.5, 12);
   TriangleSurface spout = dumbbell(0.05);
   move(spout, Vec3(0.8, 0.003, 0.002));
@@ -75,7 +75,7 @@ TEST(LatticeParting, IsToldOfShellsThatCross) {
   EXPECT_GT(remedy_in(finding), 0) << finding;
 }
 
-TEST(LatticeParting, WhatIsInPartsAnywayIsNotTold) {
+TEST(LatticeParting, WhatIsInPartsAnywayIsNotReported) {
   TriangleSurface other = sphere_surface(0.5, 8);
   move(other, Vec3(2, 0, 0));
   EXPECT_EQ(parting_in(meshed(together(sphere_surface(0.5, 8), other), 0.2)), "");
@@ -88,7 +88,7 @@ TEST(LatticeParting, WithoutARemedySaysWhatWasTried) {
   EXPECT_THAT(finding, HasSubstr("give a smaller element size"));
 }
 
-TEST(LatticeParting, IsToldOfAMeshThatWasMadeBefore) {
+TEST(LatticeParting, IsReportedAMeshThatWasMadeBefore) {
   MeshingSetup setup;
   setup.cache = test_folder();
   const SurfaceMesh first = meshed(dumbbell(0.05), 0.25, setup), second = meshed(dumbbell(0.05), 0.25, setup);

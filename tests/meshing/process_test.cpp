@@ -48,7 +48,7 @@ TEST(Process, AProgramThatIsNotThereIsNotFound) {
   EXPECT_EQ(run_process({"no-such-program-here"}, kLimits).end, End::not_found);
 }
 
-TEST(Process, ASignalIsToldFromAnExitCode) {
+TEST(Process, ASignalIsDistinguishedFromAnExitCode) {
   const ProcessOutcome outcome = shell("kill -ABRT $$");
   EXPECT_EQ(outcome.end, End::killed_by_signal);
   EXPECT_EQ(outcome.code, SIGABRT);

@@ -235,7 +235,7 @@ TEST(ReadSurface, AReaderThatTakesTooLongIsEnded) {
   }
 }
 
-TEST(ReadSurface, AReaderThatNeedsTooMuchMemoryIsToldSo) {
+TEST(ReadSurface, AReaderThatNeedsTooMuchMemoryIsReported) {
   try {
     read_surface_objects(large_file(), {}, ProcessLimits{60, std::int64_t{160} << 20});
     FAIL();

@@ -194,7 +194,7 @@ TEST(TriangleTree, NearestPointAndWindingNumberAgreeWithAllTriangles) {
   }
 }
 
-TEST(TriangleTree, HalfASphereWindsHalfRoundItsCentre) {
+TEST(TriangleTree, HalfASphereWindsHalfRoundItsCenter) {
   TriangleSurface half = sphere_surface(1, 24);
   std::erase_if(half.triangles, [&](const auto& t) {
     return half.points[t[0]].z() + half.points[t[1]].z() + half.points[t[2]].z() < 0;
@@ -203,7 +203,7 @@ TEST(TriangleTree, HalfASphereWindsHalfRoundItsCentre) {
 }
 
 /// All pairs of so many triangles would be half a billion.
-TEST(SurfaceReport, ATangleIsToldWithoutCountingEveryPair) {
+TEST(SurfaceReport, ATangleIsReportedWithoutCountingEveryPair) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-1, 1);
   TriangleSurface tangle;

@@ -90,7 +90,7 @@ TEST(Replay, ATimelineIsBackWhereItsHashesSay) {
   }
 }
 
-TEST(Replay, TellsTheFirstStepAndTheFieldsThatDiffer) {
+TEST(Replay, ReportsTheFirstStepAndTheFieldsThatDiffer) {
   Recording recording = record(played(struck_wall(), 16));
   recording.hashes[11][6] ^= 1;
   recording.hashes[13][0] ^= 1;

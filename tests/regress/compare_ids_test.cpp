@@ -17,7 +17,7 @@ TEST(CompareIds, PicturesKeepThem) {
   EXPECT_THROW(id_picture({1, 1, {-2}}), render::RenderError);
 }
 
-TEST(CompareIds, NeighboursHaveColorsFarApart) {
+TEST(CompareIds, NeighborsHaveColorsFarApart) {
   render::IdImage ids{1000, 1, {}};
   for (int id = -1; id < 999; ++id) ids.ids.push_back(id);
   const render::Image picture = id_picture(ids);

@@ -61,7 +61,7 @@ TEST(CompareImages, PixelsOffAreCountedInTiles) {
     }
 }
 
-TEST(CompareImages, TheLargestDifferenceIsToldAndNoRule) {
+TEST(CompareImages, TheLargestDifferenceIsReportedAndNoRule) {
   const Image golden = grey(320, 180);
   Image actual = golden;
   add_to(actual, {50, 50, 2, 1}, 155);

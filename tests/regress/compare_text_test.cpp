@@ -62,7 +62,7 @@ TEST(CompareText, BothTextsCanBeReadFromIt) {
   }
 }
 
-TEST(CompareText, LongTextsThatHaveNothingInCommonAreToldInTime) {
+TEST(CompareText, LongTextsThatHaveNothingInCommonAreReportedInTime) {
   std::string golden, actual;
   for (int i = 0; i < 20000; ++i) {
     golden += "g" + std::to_string(i) + "\n";

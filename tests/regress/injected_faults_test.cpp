@@ -135,7 +135,7 @@ TEST_F(InjectedFaults, OnePercentOfTheLightIsSeen) {
 }
 
 /// The picture hardly shows it; the state's hash does.
-TEST_F(InjectedFaults, ASilentlyDifferentSimulationIsTold) {
+TEST_F(InjectedFaults, ASilentlyDifferentSimulationIsReported) {
   const RegressionPicture golden = drawer_->draw(drawing_of_wall("material"));
   const RegressionPicture actual = drawer_->draw(drawing_of_wall("material", "viridis", 1 + 1e-9));
   ASSERT_TRUE(compare_images(golden.image, actual.image).passed);
@@ -145,7 +145,7 @@ TEST_F(InjectedFaults, ASilentlyDifferentSimulationIsTold) {
   EXPECT_NE(result.reason.find("The simulation changed"), std::string::npos) << result.reason;
 }
 
-TEST_F(InjectedFaults, AChangedDrawingOfTheSameSimulationIsTold) {
+TEST_F(InjectedFaults, AChangedDrawingOfTheSameSimulationIsReported) {
   const Drawing wall = drawing_of_wall("utilization");
   Drawing spoiled = wall;
   spoiled.scene.surface.scalar_style.color_map = render::ColorMap::cividis;

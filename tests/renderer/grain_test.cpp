@@ -73,7 +73,7 @@ TEST_F(GrainTest, IsSeenFromStandardQualityOn) {
   }
 }
 
-TEST_F(GrainTest, NumbersAndColoursOfPiecesHaveNone) {
+TEST_F(GrainTest, NumbersAndColorsOfPiecesHaveNone) {
   for (const Grain grain : kGrains) {
     EmbeddedSurface plain = broken_triangle(Grain::none), surface = broken_triangle(grain);
     plain.scalars = surface.scalars = {0.3f, 0.8f};
@@ -84,7 +84,7 @@ TEST_F(GrainTest, NumbersAndColoursOfPiecesHaveNone) {
   }
 }
 
-TEST_F(GrainTest, BothSidesOfACrackShowOneColourAtOnePlace) {
+TEST_F(GrainTest, BothSidesOfACrackShowOneColorAtOnePlace) {
   for (const Grain grain : kGrains)
     EXPECT_EQ(off_fraction(drawn(broken_triangle(grain)), drawn(broken_triangle(grain, 1, true))), 0) << int(grain);
 }

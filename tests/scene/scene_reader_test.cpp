@@ -45,7 +45,7 @@ TEST(SceneReader, ReportsWhatIsNoJsonByLineAndColumn) {
                    {"null", "doc", "expected an object"}});
 }
 
-TEST(SceneReader, ReadsNamesOfOlderFilesAndTellsThoseOfToday) {
+TEST(SceneReader, ReadsNamesOfOlderFilesAndReportsThoseOfToday) {
   const auto path = std::filesystem::path(::testing::TempDir()) / "older.json";
   std::ofstream(path) << R"({"version": 1, "name": "older", "view": {"quantity": "margin"}})";
   EXPECT_EQ(read_scene(path).view.quantity, "utilization");
@@ -285,7 +285,7 @@ TEST(SceneReader, LimitsHoldForTheWholeScene) {
   }
 }
 
-TEST(SceneReader, OfCountlessProblemsTheFirstAreTold) {
+TEST(SceneReader, OfCountlessProblemsTheFirstAreReported) {
   const auto problems = problems_of("{\"version\": 1, \"bodies\": " + list_of(9000, "0") + "}");
   EXPECT_EQ(problems.size(), 1001u);
   EXPECT_THAT(problems.back().problem(), HasSubstr("more problems"));

@@ -82,7 +82,7 @@ TEST(Dialogs, OpenDialogTakesATypedPath) {
   EXPECT_FALSE(ui.state.show_open);
 }
 
-TEST(Dialogs, ScenesOfTheSameNameAreToldApartByTheirFolder) {
+TEST(Dialogs, ScenesOfTheSameNameAreDistinguishedByTheirFolder) {
   UiDriver ui(two_walls());
   const std::vector<std::filesystem::path> files = {"a/table.json", "a/wall.json", "b/wall.json"};
   ui.input.scene_files = files;

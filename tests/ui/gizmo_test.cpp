@@ -153,7 +153,7 @@ TEST_F(GizmoTest, ControlTakesRoundSteps) {
   EXPECT_NE(std::round(turns), 0);
 }
 
-TEST_F(GizmoTest, TellsWhereItIs) {
+TEST_F(GizmoTest, ReportsItsPosition) {
   begin("gizmo/move_x");
   EXPECT_EQ(ui_.value("gizmo/move_x").substr(0, 2), "x ");
   ui_.press(0, false);

@@ -77,7 +77,7 @@ TEST(PlotStrips, CurvesOfAUnitShareOne) {
   EXPECT_EQ(strips[2].unit, "-");
 }
 
-TEST(PlotChoice, ASeriesThatGoesLeavesTheColoursOfOthers) {
+TEST(PlotChoice, ASeriesThatGoesLeavesTheColorsOfOthers) {
   PlotChoice chosen;
   std::vector<RunSeries> there;
   for (const char* key : {"a", "b", "c", "d", "e", "f", "g"}) there.push_back({key, "", "", ""});

@@ -122,7 +122,7 @@ TEST(ScenePanels, WhatANumberTakesInAFileItTakesInItsPanel) {
   EXPECT_THAT(ui.value("field_note"), ::testing::HasSubstr("below the minimum -1 Mm and was set to it"));
 }
 
-TEST(ScenePanels, WhatIsNotTakenIsToldAtItsField) {
+TEST(ScenePanels, WhatIsNotTakenIsReportedAtItsField) {
   UiDriver ui(two_walls());
   open(ui, {"body", "body/weakness"});
   const Scene before = ui.history.scene();
