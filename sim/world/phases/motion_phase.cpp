@@ -163,7 +163,8 @@ double work_done(const WorldState& world, const Body& body, const std::vector<Ve
   return work;
 }
 
-/// What of a node's velocity does not deform the body: of its motion as a whole, its swinging or its supports.
+/// What of a node's velocity does not deform the body: of its motion as a whole, its swinging, or that of its supports
+/// together.
 std::function<Vec3(NodeId)> rigid_velocity_of(const WorldState& world, const Body& body) {
   if (!body.supported())
     return [&world, motion = motion_of(world, body)](NodeId node) {
@@ -173,7 +174,10 @@ std::function<Vec3(NodeId)> rigid_velocity_of(const WorldState& world, const Bod
     return [&world, place = pivot->place, spin = turning_of(world, body, *pivot).spin](NodeId node) {
       return Vec3(spin.cross(world.nodes.positions[node] - place));
     };
-  return [&world](NodeId node) { return world.nodes.constraints[node].velocity; };
+  return [&world, carried = common_velocity(body.system->supports(), world.nodes.constraints)](NodeId node) {
+    const NodeConstraint& constraint = world.nodes.constraints[node];
+    return Vec3(constraint.velocity + constraint.allowed * carried);
+  };
 }
 
 /// Back to a snapshot, without the velocities that deform the body.
