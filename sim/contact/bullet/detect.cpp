@@ -92,7 +92,9 @@ void ContactWorld::Impl::list_contacts(double dt) {
     const auto end = std::find_if_not(first, pairs.end(),
                                       [&](const Pair& pair) { return pair.a == first->a && pair.b == first->b; });
     const Object &a = objects[first->a], &b = objects[first->b];
+    const std::size_t count = contacts.size();
     if (a.moves() || b.moves() || is_kinematic_on_ground(a, b)) list_pair({first, end}, dt);
+    inherit_forces(count);
     first = end;
   }
 }
@@ -158,7 +160,7 @@ void ContactWorld::Impl::replace_contacts(const std::vector<bool>& taken_out, st
   contacts.resize(kept);
   memories.resize(kept);
   for (const Contact& contact : put_in) {
-    NodeContact added{contact.a, contact.b, contact.node_a, contact.node_b};
+    NodeContact added{contact.a, contact.b, contact.node_a, contact.node_b, contact.position};
     const auto past = std::ranges::lower_bound(past_node_contacts, added.key(), std::ranges::less(), &NodeContact::key);
     if (past != past_node_contacts.end() && past->key() == added.key()) added.force = past->force;
     contacts.push_back(contact);
