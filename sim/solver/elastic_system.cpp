@@ -58,41 +58,25 @@ void add_centrifugal_impulses(int nodes, const Vec3& center, const Vec3& spin, c
 
 /// Solves A x = b where the motion that `rigid_field` takes out of velocities follows from momentum balance alone, so
 /// that only the deformation is solved for: no residual can slow a fall or a swing, and convergence is relative to what
-/// is elastic. `add_centrifugal(rigid, impulses)` adds what that motion does to the shape. Under stress A resists turns
-/// too; what it does to the motion as a whole is left out, here as where contacts are solved.
+/// is elastic. `add_centrifugal(rigid, impulses)` adds what that motion does to the shape.
 template <class Field, class Centrifugal>
 SolveReport solve_beside(const BlockSparseMatrix& a, const RigidModePreconditioner& preconditioner,
                          const ImplicitStep& step, const Eigen::VectorXd& masses, const NodeVectors& b,
                          const Field& rigid_field, const Centrifugal& add_centrifugal, NodeVectors& x) {
-  constexpr int kMaxRounds = 4;
-  const Eigen::VectorXd resisting = masses * (1 + step.dt * step.mass_damping), inverse = resisting.cwiseInverse();
-  const auto momentum_of = [&](const NodeVectors& impulses) {
-    return NodeVectors(rigid_field(impulses * inverse.asDiagonal()) * resisting.asDiagonal());
-  };
-  const NodeVectors rigid = rigid_field(b * inverse.asDiagonal());
-  NodeVectors left = b - rigid * resisting.asDiagonal();
-  add_centrifugal(rigid, left);
+  const Eigen::VectorXd inverse_masses = (masses * (1 + step.dt * step.mass_damping)).cwiseInverse();
+  const NodeVectors rigid = rigid_field(b * inverse_masses.asDiagonal());
+  NodeVectors product;
+  multiply(a, rigid, product);
+  NodeVectors elastic = b - product;
+  add_centrifugal(rigid, elastic);
 
   // Below the rounding errors of A times the rigid motion there is only noise to solve for.
   const double noise = 4 * std::numeric_limits<double>::epsilon() * diagonal_product_norm(a, rigid);
-  const double scale = std::max(std::sqrt(dot(left, left)), noise / step.relative_residual);
+  const double scale = std::max(std::sqrt(dot(elastic, elastic)), noise / step.relative_residual);
   x -= rigid_field(x);
-  SolveReport report =
-      conjugate_gradient(a, preconditioner, left, x, step.relative_residual, scale, step.max_iterations);
-  x -= rigid_field(x);
-  NodeVectors product, more = NodeVectors::Zero(3, x.cols());
-  for (int round = 1; round < kMaxRounds; ++round) {
-    multiply(a, x, product);
-    NodeVectors residual = left - product;
-    residual -= momentum_of(residual);
-    if (std::sqrt(dot(residual, residual)) <= 2 * step.relative_residual * scale) break;
-    more.setZero();
-    report.iterations +=
-        conjugate_gradient(a, preconditioner, residual, more, step.relative_residual, scale, step.max_iterations)
-            .iterations;
-    x += more - rigid_field(more);
-  }
-  x += rigid;
+  const SolveReport report =
+      conjugate_gradient(a, preconditioner, elastic, x, step.relative_residual, scale, step.max_iterations);
+  x += rigid - rigid_field(x);
   return report;
 }
 

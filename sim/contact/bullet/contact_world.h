@@ -200,6 +200,7 @@ struct ContactWorld::Impl : contact::ContactState {
   int solve(double dt, std::span<const ElasticObject> elastic, std::span<const HingedObject> hinges);
   void prepare_elastic_groups(double dt, std::span<const ElasticObject> elastic);
   std::vector<std::vector<int>> elastic_groups() const;
+  std::vector<bool> uneven_groups(const std::vector<int>& roots) const;
   void split_groups();
   int solve_rigid_groups(double dt);
   contact::RigidBody rigid_body(const contact::Object& object, double dt) const;
