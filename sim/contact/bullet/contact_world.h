@@ -189,7 +189,8 @@ struct ContactWorld::Impl : contact::ContactState {
   void wake_disturbed(double dt);
   void list_contacts(double dt);
   void list_pair(std::span<const contact::Pair> of_pair, double dt);
-  void inherit_forces(std::size_t first);
+  void inherit_forces();
+  void inherit_forces(std::size_t first, std::size_t end);
   void replace_contacts(const std::vector<bool>& taken_out, std::span<const Contact> put_in);
   Vec3 remembered_force(const contact::Memory& memory) const;
   void remember_force(const contact::Memory& memory, const Vec3& force);
@@ -200,7 +201,6 @@ struct ContactWorld::Impl : contact::ContactState {
   int solve(double dt, std::span<const ElasticObject> elastic, std::span<const HingedObject> hinges);
   void prepare_elastic_groups(double dt, std::span<const ElasticObject> elastic);
   std::vector<std::vector<int>> elastic_groups() const;
-  std::vector<bool> uneven_groups(const std::vector<int>& roots) const;
   void split_groups();
   int solve_rigid_groups(double dt);
   contact::RigidBody rigid_body(const contact::Object& object, double dt) const;

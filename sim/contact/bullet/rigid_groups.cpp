@@ -23,45 +23,22 @@ double contact::smaller_radius(const Object& a, const Object& b) {
   return b.kind == Kind::ground ? a.shape.radius : std::min(a.shape.radius, b.shape.radius);
 }
 
-/// True for the root of each small group of objects in which one touches another that is many times heavier. Sweeps do
-/// not converge where the light one carries the heavy one, and their error grows from step to step.
-std::vector<bool> ContactWorld::Impl::uneven_groups(const std::vector<int>& roots) const {
-  constexpr double kHeavier = 20;
-  constexpr int kSmall = 10;  // objects
-  std::vector<int> counts(objects.size(), 0);
-  std::vector<bool> uneven(objects.size(), false);
-  for (std::size_t i = 0; i < objects.size(); ++i)
-    if (objects[i].yields()) counts[roots[i]] += objects[i].hinge < 0 ? 1 : kSmall + 1;
-  for (const Contact& contact : contacts) {
-    const Object &a = objects[contact.a], &b = objects[contact.b];
-    if (!a.moves() || !b.moves() || a.hinge >= 0 || b.hinge >= 0) continue;
-    const int root = roots[contact.a.index()];
-    const auto [lighter, heavier] = std::minmax(1 / a.inverse_mass, 1 / b.inverse_mass);
-    if (heavier > kHeavier * lighter && counts[root] <= kSmall) uneven[root] = true;
-  }
-  return uneven;
-}
-
-/// Parts the contacts into those of groups of objects that touch in which all are rigid, but for uneven groups, and the
-/// others.
+/// Parts the contacts into those of groups of objects that touch in which all are rigid, and the others.
 void ContactWorld::Impl::split_groups() {
   DisjointSets sets(static_cast<int>(objects.size()));
   for (const Contact& contact : contacts)
     if (objects[contact.a].yields() && objects[contact.b].yields())
       sets.join(static_cast<int>(contact.a.index()), static_cast<int>(contact.b.index()));
-  std::vector<int> roots(objects.size());
-  for (std::size_t i = 0; i < objects.size(); ++i) roots[i] = sets.find(static_cast<int>(i));
-  const std::vector<bool> uneven = uneven_groups(roots);
   constexpr int kNew = -1, kElastic = -2;
   std::vector<int> group_of(objects.size(), kNew);  // of the sets' roots
   for (std::size_t i = 0; i < objects.size(); ++i)
-    if (objects[i].elastic || uneven[roots[i]]) group_of[roots[i]] = kElastic;
+    if (objects[i].elastic) group_of[sets.find(static_cast<int>(i))] = kElastic;
   rigid_groups.clear();
   elastic_contacts.clear();
   moves_rigidly.assign(objects.size(), false);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const ProxyId yielding = objects[contacts[i].a].yields() ? contacts[i].a : contacts[i].b;
-    int& group = group_of[roots[yielding.index()]];
+    int& group = group_of[sets.find(static_cast<int>(yielding.index()))];
     if (group == kElastic || !objects[yielding].yields()) {
       elastic_contacts.push_back(static_cast<int>(i));
       continue;

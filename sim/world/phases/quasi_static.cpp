@@ -55,7 +55,7 @@ bool reaches_equilibrium(const WorldState& world, const Body& body, double dt) {
 }
 
 void choose_quasi_static_bodies(WorldState& world) {
-  constexpr int kLargeGroup = 10;           // objects
+  constexpr int kLargeGroup = 5;            // objects
   constexpr std::size_t kLargeBody = 4096;  // nodes: factoring its aggregates with contacts takes a tenth of a second
   if (world.integrates_explicitly()) return;
   const double time_step = world.model->scene.simulation.time_step;
