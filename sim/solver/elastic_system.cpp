@@ -270,7 +270,7 @@ SolveReport ElasticSystem::solve(const ImplicitStep& step, std::span<const Vec3>
     if (factors_) factors_->count_iterations(report.iterations);
     project(x);
   } else {
-    report = solve_projected(constraints, step.relative_residual, step.max_iterations, b, x);
+    report = solve_carried(step, constraints, mass, b, x);
   }
   for (int row = 0; row < count; ++row) velocities[nodes()[row]] = x.col(row);
   for (std::size_t i = 0; i < edges().size(); ++i) of_edges.velocities[edges()[i]] = x.col(count + i);
@@ -303,11 +303,13 @@ void ElasticSystem::project(NodeVectors& x) const {
   for (const SlidingRow& sliding : sliding_) x.col(sliding.row) = Vec3(sliding.allowed * x.col(sliding.row));
 }
 
-void ElasticSystem::project_right_hand_side(std::span<const NodeConstraint> constraints, NodeVectors& b) const {
+void ElasticSystem::project_right_hand_side(std::span<const NodeConstraint> constraints, NodeVectors& b,
+                                            const Vec3& carried) const {
   // A is symmetric, so the rows of the supports hold the columns that meet the known velocities.
   const BlockSparseMatrix& a = support_rows_->matrix;
   for (int support = 0; support < a.rows(); ++support) {
-    const Vec3& known = constraints[supports()[support]].velocity;
+    const NodeConstraint& constraint = constraints[supports()[support]];
+    const Vec3 known = constraint.velocity - (carried - constraint.allowed * carried);
     if (known.isZero(0)) continue;
     for (int k = a.row_starts[support]; k < a.row_starts[support + 1]; ++k)
       if (const int row = row_of_support_column_[k]; row >= 0) b.col(row) -= a.blocks[k].transpose() * known;
@@ -324,6 +326,23 @@ SolveReport ElasticSystem::solve_projected(std::span<const NodeConstraint> const
   const SolveReport report = conjugate_gradient(rows_->matrix, preconditioning(), b, x, relative_residual,
                                                 std::sqrt(dot(b, b)), max_iterations, given_up);
   if (factors_) factors_->count_iterations(report.iterations);
+  return report;
+}
+
+SolveReport ElasticSystem::solve_carried(const ImplicitStep& step, std::span<const NodeConstraint> constraints,
+                                         const Eigen::VectorXd& masses, NodeVectors b, NodeVectors& x) const {
+  if (rows() == 0) return {};
+  const Vec3 carried = common_velocity(supports(), constraints);
+  const auto count = static_cast<Eigen::Index>(nodes().size());
+  const Eigen::VectorXd resisting = (1 + step.dt * step.mass_damping) * masses.head(count);
+  b.leftCols(count) -= carried * resisting.transpose();
+  x.leftCols(count).colwise() -= carried;
+  project_right_hand_side(constraints, b, carried);
+  project(x);
+  const SolveReport report = conjugate_gradient(rows_->matrix, **preconditioner_, b, x, step.relative_residual,
+                                                std::sqrt(dot(b, b)), step.max_iterations);
+  x.leftCols(count).colwise() += carried;
+  project(x);
   return report;
 }
 

@@ -127,8 +127,12 @@ class ElasticSystem {
                             std::span<const NodeConstraint> constraints, std::span<const int> row_of_node,
                             std::span<const int> row_of_edge);
   void project_sliding_rows();
-  /// b becomes S (b − A w).
-  void project_right_hand_side(std::span<const NodeConstraint> constraints, NodeVectors& b) const;
+  /// b becomes S (b − A w), w less the translation `carried` [m/s].
+  void project_right_hand_side(std::span<const NodeConstraint> constraints, NodeVectors& b,
+                               const Vec3& carried = Vec3::Zero()) const;
+  /// Solves for velocities beside the translation that the supports share; `masses`: one a row [kg].
+  SolveReport solve_carried(const ImplicitStep& step, std::span<const NodeConstraint> constraints,
+                            const Eigen::VectorXd& masses, NodeVectors b, NodeVectors& x) const;
   /// Completes the impulses that reactions_ holds, −(M v + h f) of the supports, to reaction forces.
   void balance_supports(double dt, std::span<const NodeConstraint> constraints, std::span<const Vec3> velocities,
                         std::span<const Vec3> edge_velocities);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
 
 #include "sim/core/rotation.h"
@@ -33,6 +34,17 @@ std::optional<Pivot> pivot_of(std::span<const NodeId> supports, std::span<const 
   if (free_axes != 1 && free_axes != 3) return std::nullopt;
   pivot.axes = eigen.eigenvectors().leftCols(free_axes);
   return pivot;
+}
+
+Vec3 common_velocity(std::span<const NodeId> supports, std::span<const NodeConstraint> constraints) {
+  Mat3 blocked = Mat3::Zero();
+  Vec3 known = Vec3::Zero();
+  for (const NodeId node : supports) {
+    blocked += Mat3::Identity() - constraints[node].allowed;
+    known += constraints[node].velocity;
+  }
+  if (known.isZero(0)) return known;
+  return blocked.completeOrthogonalDecomposition().solve(known);
 }
 
 Turning turning_about(const Pivot& pivot, const NodeVectors& positions, const NodeVectors& velocities,

@@ -28,6 +28,9 @@ struct Turning {
 std::optional<Pivot> pivot_of(std::span<const NodeId> supports, std::span<const NodeConstraint> constraints,
                               std::span<const Vec3> positions);
 
+/// Translation that the supports of a body share, by least squares [m/s]: what differs from it deforms the body.
+Vec3 common_velocity(std::span<const NodeId> supports, std::span<const NodeConstraint> constraints);
+
 /// The turning of nodes: one column or entry a node [m], [m/s], [kg].
 Turning turning_about(const Pivot& pivot, const NodeVectors& positions, const NodeVectors& velocities,
                       const Eigen::VectorXd& masses);

@@ -89,11 +89,11 @@ struct Allowance {
   double overlap;  ///< [m], > 0
 };
 
-/// A contact that the owner put in, and the mean force there in the last substep along the contact's axes [N].
+/// A contact that the owner put in, where it is [m], and the mean force on a there in the last substep [N].
 struct NodeContact {
   ProxyId a, b;
   NodeId node_a, node_b;
-  Vec3 force = Vec3::Zero();
+  Vec3 position = Vec3::Zero(), force = Vec3::Zero();
   auto key() const { return std::tie(a, b, node_a, node_b); }
 };
 
@@ -190,6 +190,8 @@ struct ContactWorld::Impl : contact::ContactState {
   void wake_disturbed(double dt);
   void list_contacts(double dt);
   void list_pair(std::span<const contact::Pair> of_pair, double dt);
+  void inherit_forces();
+  void inherit_forces(std::size_t first, std::size_t end);
   void replace_contacts(const std::vector<bool>& taken_out, std::span<const Contact> put_in);
   Vec3 remembered_force(const contact::Memory& memory) const;
   void remember_force(const contact::Memory& memory, const Vec3& force);

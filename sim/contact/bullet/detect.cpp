@@ -161,7 +161,7 @@ void ContactWorld::Impl::replace_contacts(const std::vector<bool>& taken_out, st
   contacts.resize(kept);
   memories.resize(kept);
   for (const Contact& contact : put_in) {
-    NodeContact added{contact.a, contact.b, contact.node_a, contact.node_b};
+    NodeContact added{contact.a, contact.b, contact.node_a, contact.node_b, contact.position};
     const auto past = std::ranges::lower_bound(past_node_contacts, added.key(), std::ranges::less(), &NodeContact::key);
     if (past != past_node_contacts.end() && past->key() == added.key()) added.force = past->force;
     contacts.push_back(contact);

@@ -163,7 +163,8 @@ double work_done(const WorldState& world, const Body& body, const std::vector<Ve
   return work;
 }
 
-/// What of a node's velocity does not deform the body: of its motion as a whole, its swinging or its supports.
+/// What of a node's velocity does not deform the body: of its motion as a whole, its swinging, or that of its supports
+/// together.
 std::function<Vec3(NodeId)> rigid_velocity_of(const WorldState& world, const Body& body) {
   if (!body.supported())
     return [&world, motion = motion_of(world, body)](NodeId node) {
@@ -173,7 +174,10 @@ std::function<Vec3(NodeId)> rigid_velocity_of(const WorldState& world, const Bod
     return [&world, place = pivot->place, spin = turning_of(world, body, *pivot).spin](NodeId node) {
       return Vec3(spin.cross(world.nodes.positions[node] - place));
     };
-  return [&world](NodeId node) { return world.nodes.constraints[node].velocity; };
+  return [&world, carried = common_velocity(body.system->supports(), world.nodes.constraints)](NodeId node) {
+    const NodeConstraint& constraint = world.nodes.constraints[node];
+    return Vec3(constraint.velocity + constraint.allowed * carried);
+  };
 }
 
 /// Back to a snapshot, without the velocities that deform the body.
@@ -222,6 +226,19 @@ ElasticMove move_elastic(WorldState& world, Body& body, const BodySnapshot& befo
   const double noise = energy_of_strain(world, body, 1e-12) + kTolerance * (body.energy + given);
   if (!(mechanical_energy(world, body) > given + noise)) return ElasticMove::linearized;
   return move_nonlinearly(world, body, before, external, dt) ? ElasticMove::nonlinear : ElasticMove::unconverged;
+}
+
+/// Takes out of the velocities that deform a body its motion as a whole, of which elastic forces know nothing.
+void leave_deforming_velocities(WorldState& world, const Body& body) {
+  const std::optional<Pivot> pivot = body.supported() ? pivot_of(world, body) : std::nullopt;
+  if (body.supported() && !pivot) return;
+  const RigidMotion motion = motion_of(world, body);
+  const Vec3 spin = pivot ? turning_of(world, body, *pivot).spin : motion.angular_velocity;
+  const Vec3 place = pivot ? pivot->place : motion.center, velocity = pivot ? Vec3(Vec3::Zero()) : motion.velocity;
+  SubstepStart& start = world.scratch.substep_start;
+  for (NodeId node : body.nodes)
+    start.deforming_velocities[node] -= velocity + spin.cross(world.nodes.positions[node] - place);
+  for (EdgeId edge : body.edges) start.deforming_edge_velocities[edge] -= spin.cross(world.edges.offsets[edge]);
 }
 
 bool all_finite(const std::vector<Vec3>& values, const auto& ids) {
@@ -361,8 +378,8 @@ void freeze(WorldState& world, Body& body) {
 }
 
 void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt) {
-  world.scratch.substep_start.solved_velocities = world.nodes.velocities;
-  world.scratch.substep_start.solved_edge_velocities = world.edges.velocities;
+  world.scratch.substep_start.deforming_velocities = world.nodes.velocities;
+  world.scratch.substep_start.deforming_edge_velocities = world.edges.velocities;
   std::vector<ElasticMove> moves(world.bodies.size(), ElasticMove::linearized);
   std::vector<EnergyAccount> spent(world.bodies.size());
   parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
@@ -375,6 +392,7 @@ void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt
         spent[i] = spent_in_rigid_move(world, body, before, dt);
       } else {
         const BodySnapshot before = snapshot(world, body);
+        leave_deforming_velocities(world, body);
         const ElasticWorks works = elastic_works(world, body, dt);
         moves[i] = move_elastic(world, body, before, external, dt);
         spent[i] = spent_in_move(world, body, before, works, external, dt, moves[i]);

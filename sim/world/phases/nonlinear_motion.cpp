@@ -22,13 +22,14 @@ class Deformation {
     whole_ = whole_motion(world, body, dt);
   }
 
-  /// M v + h f + p of the start, less what moves the whole.
+  /// M v + h f + p of the start, less what moves the whole: nodes have its velocities now.
   void set_load(const std::vector<Vec3>& external) {
     const SubstepStart& start = world_.scratch.substep_start;
     const ElasticSystem& system = *body_.system;
     load_ = system.gather(start.velocities, start.edge_velocities) * masses().asDiagonal();
     load_ += dt_ * system.gather(external) + system.gather(world_.scratch.contact_impulses);
-    remove_whole(load_);
+    if (whole_.exists()) return remove_whole(load_);
+    load_ -= system.gather(world_.nodes.velocities, world_.edges.velocities) * inertia_.asDiagonal();
   }
 
   /// Finds the velocities that deform it, from a guess; false where that does not converge.
