@@ -124,11 +124,10 @@ struct PostponedCrack {
 
 /// What moved how when a substep began, for the energy account.
 struct SubstepStart {
-  std::vector<Vec3> velocities;  ///< per node [m/s]
-  /// Per node, after contacts and before bodies move: the part of its velocity that deforms its body [m/s].
-  std::vector<Vec3> deforming_velocities;
-  std::vector<Vec3> edge_velocities, deforming_edge_velocities;  ///< the same per edge [m/s]
-  std::vector<RigidState> projectiles;                           ///< per projectile
+  std::vector<Vec3> velocities;                               ///< per node [m/s]
+  std::vector<Vec3> solved_velocities;                        ///< per node, after contacts and before bodies move [m/s]
+  std::vector<Vec3> edge_velocities, solved_edge_velocities;  ///< the same per edge [m/s]
+  std::vector<RigidState> projectiles;                        ///< per projectile
 };
 
 /// What a step needs and nobody keeps.

@@ -24,7 +24,7 @@ WorldState moving_block(ElementModel model) {
   testing::RandomValues random(4);
   for (Vec3& position : world.nodes.positions) position += random.vector(1e-3);
   for (Vec3& velocity : world.nodes.velocities) velocity = random.vector(1e-5);
-  world.scratch.substep_start.deforming_velocities = world.nodes.velocities;
+  world.scratch.substep_start.solved_velocities = world.nodes.velocities;
   update_elements(world);
   return world;
 }

@@ -57,7 +57,7 @@ FourStarts starts_of(const WorldState& world, const std::array<TetId, 4>& tets, 
   const auto state = [&](TetId tet) -> const ElementState& { return world.elements.states[tet]; };
   const auto rest = [&](TetId tet) -> const RestElement& { return world.elements.rest_elements[tet]; };
   const auto velocity = [&](TetId tet, int corner) -> const Vec3& {
-    return world.scratch.substep_start.deforming_velocities[world.mesh->tets[tet][corner]];
+    return world.scratch.substep_start.solved_velocities[world.mesh->tets[tet][corner]];
   };
   DoubleLanes ways[3][4], slopes[3][4];
   for (int i = 0; i < 3; ++i)
@@ -134,8 +134,8 @@ ElasticWorks quadratic_works(const WorldState& world, const Body& body, double d
     for (int i = begin; i < end; ++i) {
       const TetId tet = body.tets[i];
       const RestElement& rest = world.elements.rest_elements[tet];
-      const Corners way = dt * corners_of(world.mesh, tet, start.deforming_velocities);
-      const EdgeVectors bending = dt * edges_of(world.tet_edges, tet, start.deforming_edge_velocities);
+      const Corners way = dt * corners_of(world.mesh, tet, start.solved_velocities);
+      const EdgeVectors bending = dt * edges_of(world.tet_edges, tet, start.solved_edge_velocities);
       const QuadraticForces acting = quadratic_forces(rest, world.elements.quadratic_states[tet]);
       first[i] = -acting.corners.cwiseProduct(way).sum() - acting.edges.cwiseProduct(bending).sum();
       change[i] = stiffness_product(law, rest, world.elements.states[tet], way, bending);

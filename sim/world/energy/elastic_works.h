@@ -6,7 +6,7 @@
 
 namespace griffith {
 
-/// What elastic forces do to a body over the way by the velocities that deform it, as the linearised step knows them.
+/// What elastic forces do to a body over the way by its solved velocities, as the linearised step knows them.
 struct ElasticWorks {
   double first = 0;                      ///< against the forces at the start [J]
   double change = 0;                     ///< against their linearised change, all of it over all of the way [J]

@@ -228,8 +228,10 @@ ElasticMove move_elastic(WorldState& world, Body& body, const BodySnapshot& befo
   return move_nonlinearly(world, body, before, external, dt) ? ElasticMove::nonlinear : ElasticMove::unconverged;
 }
 
-/// Takes out of the velocities that deform a body its motion as a whole, of which elastic forces know nothing.
+/// Takes its motion as a whole out of the velocities over which elastic forces work, for Green's strain: stress resists
+/// turns in its linearized system, but the step lets the body turn by its momentum alone.
 void leave_deforming_velocities(WorldState& world, const Body& body) {
+  if (world.material_of(body).element_model != ElementModel::green_strain) return;
   const std::optional<Pivot> pivot = body.supported() ? pivot_of(world, body) : std::nullopt;
   if (body.supported() && !pivot) return;
   const RigidMotion motion = motion_of(world, body);
@@ -237,8 +239,8 @@ void leave_deforming_velocities(WorldState& world, const Body& body) {
   const Vec3 place = pivot ? pivot->place : motion.center, velocity = pivot ? Vec3(Vec3::Zero()) : motion.velocity;
   SubstepStart& start = world.scratch.substep_start;
   for (NodeId node : body.nodes)
-    start.deforming_velocities[node] -= velocity + spin.cross(world.nodes.positions[node] - place);
-  for (EdgeId edge : body.edges) start.deforming_edge_velocities[edge] -= spin.cross(world.edges.offsets[edge]);
+    start.solved_velocities[node] -= velocity + spin.cross(world.nodes.positions[node] - place);
+  for (EdgeId edge : body.edges) start.solved_edge_velocities[edge] -= spin.cross(world.edges.offsets[edge]);
 }
 
 bool all_finite(const std::vector<Vec3>& values, const auto& ids) {
@@ -378,8 +380,8 @@ void freeze(WorldState& world, Body& body) {
 }
 
 void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt) {
-  world.scratch.substep_start.deforming_velocities = world.nodes.velocities;
-  world.scratch.substep_start.deforming_edge_velocities = world.edges.velocities;
+  world.scratch.substep_start.solved_velocities = world.nodes.velocities;
+  world.scratch.substep_start.solved_edge_velocities = world.edges.velocities;
   std::vector<ElasticMove> moves(world.bodies.size(), ElasticMove::linearized);
   std::vector<EnergyAccount> spent(world.bodies.size());
   parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
