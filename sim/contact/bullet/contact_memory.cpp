@@ -4,6 +4,7 @@
 
 #include "sim/contact/bullet/contact_world.h"
 #include "sim/core/hash_bytes.h"
+#include "sim/core/sort_unique.h"
 
 namespace griffith {
 
@@ -59,13 +60,24 @@ Eigen::VectorXd normal_forces(std::span<const Contact> contacts, const PairForce
 
 }  // namespace
 
-/// Hands what the owner's contacts of a pair carried in the last substep on to its points, the contacts from `first`
-/// on, where these carried nothing: a body that turns rigid goes on resting as it did.
-void ContactWorld::Impl::inherit_forces(std::size_t first) {
-  if (past_node_contacts.empty() || first == contacts.size()) return;
-  for (std::size_t i = first; i < contacts.size(); ++i)
+/// Hands what the owner's contacts of a pair carried in the last substep on to its points, where it has no such
+/// contacts any more and its points carried nothing: a body that turns rigid goes on resting as it did.
+void ContactWorld::Impl::inherit_forces() {
+  if (past_node_contacts.empty()) return;
+  const auto pair_of = [](const auto& contact) { return std::minmax({contact.a, contact.b}); };
+  std::vector<std::pair<ProxyId, ProxyId>> followed;
+  for (const NodeContact& contact : node_contacts) followed.push_back(pair_of(contact));
+  sort_unique(followed);
+  for (std::size_t first = 0, end = 0; first < contacts.size(); first = end) {
+    while (end < contacts.size() && pair_of(contacts[end]) == pair_of(contacts[first])) ++end;
+    if (!std::ranges::binary_search(followed, pair_of(contacts[first]))) inherit_forces(first, end);
+  }
+}
+
+void ContactWorld::Impl::inherit_forces(std::size_t first, std::size_t end) {
+  for (std::size_t i = first; i < end; ++i)
     if (!remembered_force(memories[i]).isZero(0)) return;
-  const std::span<const Contact> listed = std::span(contacts).subspan(first);
+  const std::span<const Contact> listed = std::span(contacts).subspan(first, end - first);
   PairForce carried;
   for (const Contact& contact : listed) carried.place += contact.position / static_cast<double>(listed.size());
   carried.add(past_node_contacts, listed.front().a, listed.front().b, 1);

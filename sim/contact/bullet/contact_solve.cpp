@@ -124,6 +124,7 @@ int ContactWorld::Impl::solve(double dt, std::span<const ElasticObject> elastic,
   for (const ElasticObject& object : elastic) objects[object.object].elastic = true;
   hinged.assign(hinges.begin(), hinges.end());
   for (std::size_t i = 0; i < hinged.size(); ++i) objects[hinged[i].object].hinge = static_cast<int>(i);
+  inherit_forces();
   split_groups();
   const int work = solve_rigid_groups(dt);
   prepare_elastic_groups(dt, elastic);

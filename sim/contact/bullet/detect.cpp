@@ -92,9 +92,7 @@ void ContactWorld::Impl::list_contacts(double dt) {
     const auto end = std::find_if_not(first, pairs.end(),
                                       [&](const Pair& pair) { return pair.a == first->a && pair.b == first->b; });
     const Object &a = objects[first->a], &b = objects[first->b];
-    const std::size_t count = contacts.size();
     if (a.moves() || b.moves() || is_kinematic_on_ground(a, b)) list_pair({first, end}, dt);
-    inherit_forces(count);
     first = end;
   }
 }
