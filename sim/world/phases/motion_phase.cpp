@@ -228,6 +228,21 @@ ElasticMove move_elastic(WorldState& world, Body& body, const BodySnapshot& befo
   return move_nonlinearly(world, body, before, external, dt) ? ElasticMove::nonlinear : ElasticMove::unconverged;
 }
 
+/// Takes its motion as a whole out of the velocities over which elastic forces work, for Green's strain: stress resists
+/// turns in its linearized system, but the step lets the body turn by its momentum alone.
+void leave_deforming_velocities(WorldState& world, const Body& body) {
+  if (world.material_of(body).element_model != ElementModel::green_strain) return;
+  const std::optional<Pivot> pivot = body.supported() ? pivot_of(world, body) : std::nullopt;
+  if (body.supported() && !pivot) return;
+  const RigidMotion motion = motion_of(world, body);
+  const Vec3 spin = pivot ? turning_of(world, body, *pivot).spin : motion.angular_velocity;
+  const Vec3 place = pivot ? pivot->place : motion.center, velocity = pivot ? Vec3(Vec3::Zero()) : motion.velocity;
+  SubstepStart& start = world.scratch.substep_start;
+  for (NodeId node : body.nodes)
+    start.solved_velocities[node] -= velocity + spin.cross(world.nodes.positions[node] - place);
+  for (EdgeId edge : body.edges) start.solved_edge_velocities[edge] -= spin.cross(world.edges.offsets[edge]);
+}
+
 bool all_finite(const std::vector<Vec3>& values, const auto& ids) {
   return std::ranges::all_of(ids, [&](auto id) { return values[id].allFinite(); });
 }
@@ -379,6 +394,7 @@ void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt
         spent[i] = spent_in_rigid_move(world, body, before, dt);
       } else {
         const BodySnapshot before = snapshot(world, body);
+        leave_deforming_velocities(world, body);
         const ElasticWorks works = elastic_works(world, body, dt);
         moves[i] = move_elastic(world, body, before, external, dt);
         spent[i] = spent_in_move(world, body, before, works, external, dt, moves[i]);
