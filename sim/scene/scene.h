@@ -24,9 +24,11 @@ enum class CollisionShape {
 
 /// How displacements vary within the tets of a body.
 enum class ElementOrder {
+  automatic,  ///< quadratic where few lie across the body (choose_elements() in check_elements.h)
   linear,     ///< a constant strain a tet: cheap, but one or two across a thin body hardly bend
   quadratic,  ///< linear strains: bends right with a single layer of tets
 };
+inline constexpr ElementOrder kDefaultElementOrder = ElementOrder::linear;
 
 struct BodyDescription {
   std::string name = "body";
@@ -36,7 +38,7 @@ struct BodyDescription {
   Vec3 velocity = Vec3::Zero();          ///< at the start [m/s]
   Vec3 angular_velocity = Vec3::Zero();  ///< at the start, about the centre of mass [rad/s]
   Material material;
-  ElementOrder elements = ElementOrder::linear;
+  ElementOrder elements = kDefaultElementOrder;
   bool remeshing = false;           ///< cracks cut tets along their plane instead of following faces
   double minimum_element_size = 0;  ///< edges that remeshing may make [m]; 0: a quarter of the first elements' size
   std::optional<Weakness> weakness;

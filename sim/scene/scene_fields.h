@@ -176,9 +176,9 @@ void describe(Archive& archive, BodyDescription& body) {
                 "Angular velocity at the start, about the centre of mass");
   archive.field("material", body.material, MaterialChoice{},
                 "Name of a preset or of one of the scene's materials, or an object with its properties");
-  archive.field("elements", body.elements, OneOf{{"linear", "quadratic"}},
+  archive.field("elements", body.elements, OneOf{{"auto", "linear", "quadratic"}},
                 "Displacements within its tetrahedra: linear ones are cheap, quadratic ones bend right where few lie "
-                "across the body");
+                "across the body; auto: quadratic where fewer than four lie across its thinnest part");
   archive.field("remeshing", body.remeshing, Flag{},
                 "Cracks cut tetrahedra along their plane; false: they follow faces");
   archive.field("minimum_element_size", body.minimum_element_size, between(0, 1e6, "m"),
