@@ -13,6 +13,14 @@
 namespace griffith::app {
 namespace {
 
+/// Prints the elements of bodies whose scene leaves the choice.
+void print_element_choices(const Scene& scene, const World& world) {
+  const auto choices = world.frame().element_choices;
+  for (std::size_t i = 0; i < choices.size(); ++i)
+    if (choices[i].automatic)
+      print("body \"%s\": elements are %s\n", printable(scene.bodies[i].name).c_str(), text_of(choices[i]).c_str());
+}
+
 /// Prints the file's warnings and returns all its problems; if there are none, the first problem of its meshes.
 std::vector<InputError> problems_of(const std::filesystem::path& path, std::span<const SceneSetting> settings) {
   std::vector<InputError> problems = check_scene(path, settings);
@@ -22,6 +30,7 @@ std::vector<InputError> problems_of(const std::filesystem::path& path, std::span
     const World world = make_world(scene, path);
     print_warnings(path, outdated_names(path));
     print_warnings(path, scene_warnings(scene, world));
+    print_element_choices(scene, world);
   } catch (const InputError& error) {
     problems.push_back(error);
   }

@@ -45,6 +45,11 @@ void Editor::take_followed(WorldLoader::Loaded loaded) {
 
 void Editor::log_findings() {
   for (const InputError& finding : world().findings()) log(ui::LogLevel::warning, finding.what());
+  const auto choices = world().frame().element_choices;
+  for (std::size_t i = 0; i < choices.size(); ++i)
+    if (choices[i].automatic)
+      log(ui::LogLevel::info,
+          "Elements of the body \"" + history_.scene().bodies[i].name + "\": " + text_of(choices[i]));
 }
 
 void Editor::list_problems() {

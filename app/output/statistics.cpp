@@ -58,6 +58,20 @@ Json scaled_json(int scene_body, const ScaledImpact& impact) {
           {"reason", reason(impact)}};
 }
 
+/// Returns the elements of bodies whose scene leaves the choice.
+Json element_choices_json(const Frame& frame) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < frame.element_choices.size(); ++i) {
+    const ElementChoice& choice = frame.element_choices[i];
+    if (!choice.automatic) continue;
+    list.push_back({{"scene_body", i},
+                    {"elements", choice.order == ElementOrder::quadratic ? "quadratic" : "linear"},
+                    {"layers", choice.layers},
+                    {"reason", choice.reason}});
+  }
+  return list;
+}
+
 /// Returns the number of nodes of a scene body that opened while it was scaled.
 std::ptrdiff_t scaled_cracks(const Frame& frame, int scene_body) {
   return std::ranges::count_if(frame.crack_events, [&](const CrackEvent& event) {
@@ -119,6 +133,7 @@ std::string RunStatistics::json(const Frame& frame, std::uint64_t state_hash) co
     impact["step"] = scaled.step;
   }
   json["broke_scaled"] = broke_scaled_json(frame);
+  json["element_choices"] = element_choices_json(frame);
   json["state_hash"] = hash_text(state_hash);
   json["threads"] = threads_;
   json["peak_memory_bytes"] = peak_memory_bytes();
@@ -152,6 +167,9 @@ std::string RunStatistics::summary(const Frame& frame, std::uint64_t state_hash)
                   scene_body, scaled.impacts, slowest.young_modulus, slowest.tensile_strength, reason(slowest).c_str());
     lines += text;
   }
+  for (std::size_t i = 0; i < frame.element_choices.size(); ++i)
+    if (frame.element_choices[i].automatic)
+      lines += "elements: of body " + std::to_string(i) + " " + text_of(frame.element_choices[i]) + "\n";
   for (const ScaledBreak& broken : scaled_breaks(frame))
     lines += "broke scaled: " + std::to_string(broken.pieces) + " pieces of body " + std::to_string(broken.scene_body) +
              ", at " + scale_text(broken.least) + ": " + reason(broken.least) + "\n";

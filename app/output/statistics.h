@@ -25,7 +25,8 @@ class RunStatistics {
   /// infinite. `ms` has the times in milliseconds of steps, of their phases, and `processor`, the time of all threads
   /// between the ends of two steps. `scaled_impacts` lists the slowest scaled impact (ScaledImpact) of each scene body,
   /// with the effective material and the reason. `broke_scaled` lists fracture under scaling (ScaledBreak) by scene
-  /// body: existing pieces, cracks, the smallest factor, the effective material and the reason. `frame`: the last one.
+  /// body: existing pieces, cracks, the smallest factor, the effective material and the reason. `element_choices` lists
+  /// the elements of bodies whose scene leaves the choice, and the reason. `frame`: the last one.
   std::string json(const Frame& frame, std::uint64_t state_hash) const;
 
   /// Returns the input of outcomes_of() for the steps so far.

@@ -123,4 +123,23 @@ QuadraticForces quadratic_forces(const RestElement& rest, const QuadraticState& 
   return forces;
 }
 
+QuadraticForces quadratic_damping_forces(const ElasticLaw& law, const RestElement& rest, const Mat3& frame,
+                                         const Corners& velocities, const EdgeVectors& of_edges) {
+  const std::array<Mat3, 4> rates = corner_gradients(rest, velocities, of_edges);
+  QuadraticState state;
+  for (int v = 0; v < 4; ++v) {
+    const Mat3 rate = frame.transpose() * rates[v], strain = 0.5 * (rate + rate.transpose());
+    const double pressure = law.lambda * strain.trace();
+    state.corners[v].frame = frame;
+    state.corners[v].stress = {2 * law.mu * strain(0, 0) + pressure,
+                               2 * law.mu * strain(1, 1) + pressure,
+                               2 * law.mu * strain(2, 2) + pressure,
+                               2 * law.mu * strain(0, 1),
+                               2 * law.mu * strain(0, 2),
+                               2 * law.mu * strain(1, 2)};
+  }
+  for (const Mat3& weighted : weighted_stresses(rest, state.corners)) state.corner_traction += frame * weighted;
+  return quadratic_forces(rest, state);
+}
+
 }  // namespace griffith

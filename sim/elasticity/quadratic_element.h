@@ -45,5 +45,9 @@ struct QuadraticForces {
   EdgeVectors edges;
 };
 QuadraticForces quadratic_forces(const RestElement& rest, const QuadraticState& state);
+/// Rayleigh's damping by the stiffness per beta, −K v [N/s]: the forces of the stress rates, in the frame B of the
+/// mean.
+QuadraticForces quadratic_damping_forces(const ElasticLaw& law, const RestElement& rest, const Mat3& frame,
+                                         const Corners& velocities, const EdgeVectors& of_edges);
 
 }  // namespace griffith

@@ -24,9 +24,11 @@ enum class CollisionShape {
 
 /// Order of the displacements within the tets of a body.
 enum class ElementOrder {
+  automatic,  ///< quadratic where few lie across the body (choose_elements() in check_elements.h)
   linear,     ///< constant strain per tet: cheap, but too stiff in bending with one or two layers
   quadratic,  ///< linear strain: bends correctly with a single layer of tets
 };
+inline constexpr ElementOrder kDefaultElementOrder = ElementOrder::linear;
 
 struct BodyDescription {
   std::string name = "body";
@@ -36,7 +38,7 @@ struct BodyDescription {
   Vec3 velocity = Vec3::Zero();          ///< initial velocity [m/s]
   Vec3 angular_velocity = Vec3::Zero();  ///< initial angular velocity about the center of mass [rad/s]
   Material material;
-  ElementOrder elements = ElementOrder::linear;
+  ElementOrder elements = kDefaultElementOrder;
   bool remeshing = false;           ///< cracks cut tets along their plane instead of following faces
   double minimum_element_size = 0;  ///< shortest edge of remeshing [m]; 0: a quarter of the initial element size
   std::optional<Weakness> weakness;

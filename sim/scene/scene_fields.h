@@ -177,9 +177,9 @@ void describe(Archive& archive, BodyDescription& body) {
   archive.field("material", body.material, MaterialChoice{},
                 "Name of a preset or of one of the scene's materials, or an object with its properties");
   archive.field(
-      "elements", body.elements, OneOf{{"linear", "quadratic"}},
-      "Order of displacements in tetrahedra: linear ones are cheap, quadratic ones bend correctly where few lie "
-      "across the body");
+      "elements", body.elements, OneOf{{"auto", "linear", "quadratic"}},
+      "Order of displacements in tetrahedra: linear ones are cheap, quadratic ones bend correctly where few lie across "
+      "the body; auto: quadratic where fewer than four lie across its thinnest part");
   archive.field("remeshing", body.remeshing, Flag{},
                 "Cracks cut tetrahedra along their plane; false: they follow faces");
   archive.field("minimum_element_size", body.minimum_element_size, between(0, 1e6, "m"),

@@ -97,6 +97,8 @@ class ElasticSystem {
   /// The values of nodes() and edges() out of values per node and per edge of the mesh, one column a row; zero for
   /// edges without values.
   NodeVectors gather(std::span<const Vec3> values, std::span<const Vec3> of_edges = {}) const;
+  /// The same of masses, per row.
+  Eigen::VectorXd gather_masses(std::span<const double> masses, std::span<const double> of_edges) const;
 
   /// What the supports did in the last solve() and add_reactions(), per node of supports(): the force on the node in
   /// its blocked directions [N], from the balance of its momentum.
@@ -139,7 +141,6 @@ class ElasticSystem {
   SolveReport solve_free(const ImplicitStep& step, const NodeVectors& places, const Eigen::VectorXd& masses,
                          const NodeVectors& b, NodeVectors& x) const;
   Preconditioning preconditioning() const { return {preconditioner(), factors()}; }
-  Eigen::VectorXd gather_masses(std::span<const double> masses, std::span<const double> of_edges) const;
 
   CopyOnWrite<ElementRows> rows_;  // S A S, one row a node that is not held
   // A, one row a constrained node; columns are nodes of the mesh, and edges of it from kFirstEdgeColumn on.

@@ -14,8 +14,8 @@ namespace griffith {
 
 /// z = R P (L Lᵀ)⁻¹ Pᵀ Rᵀ r: Cholesky factors of the matrix A of a body in an earlier configuration, and the rotation R
 /// of the body since. While its elements turn against each other by less than thickness over length, conjugate
-/// gradients need a few iterations, however thin the body is. Factors are made anew when elements have turned, or the
-/// time step has changed, too much, or the iterations that this would have saved add up to its cost.
+/// gradients need a few iterations, however thin the body is. The factorization is repeated when elements have turned,
+/// or the time step has changed, too much, or the iterations that this would have saved add up to its cost.
 class FactorPreconditioner {
  public:
   /// True if factors of a matrix are small enough to keep.

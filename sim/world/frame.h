@@ -20,6 +20,7 @@
 #include "sim/solver/node_constraint.h"
 #include "sim/splinters/splinters.h"
 #include "sim/world/conditions/probes.h"
+#include "sim/world/element_choice.h"
 #include "sim/world/energy/energy_account.h"
 
 namespace griffith {
@@ -143,6 +144,7 @@ struct Frame {
     std::span<const int> open_walls;          ///< faces between splinters that cracks have opened
   };
 
+  std::span<const ElementChoice> element_choices;  ///< per body of the scene
   std::int64_t step = 0;
   double time = 0;  ///< [s]
   Nodes nodes;

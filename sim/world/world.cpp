@@ -139,6 +139,7 @@ Frame World::frame() const {
   frame.energy = frame.energy_of_step = world.energy;
   frame.energy_of_step -= world.energy_before;
   frame.report = world.report;
+  frame.element_choices = world.model->element_choices;
   return frame;
 }
 
@@ -152,7 +153,7 @@ void World::set_material(int scene_body, const Material& material) {
     throw InputError("material", "is of body " + std::to_string(scene_body) + ", which is none of the scene",
                      "take an index of Scene::bodies");
   check_substep_count(world, scene_body, material);
-  check_elements(world.model->scene, scene_body, material);
+  check_elements(world.model->scene, scene_body, world.model->element_choices[scene_body].order, material);
   const EnergyNow before = energy_now(world);
   world.in_equilibrium = false;
   const bool stays = world.step > 0 && differ_in_resistance_alone(world.materials[scene_body], material);

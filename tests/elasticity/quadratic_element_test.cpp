@@ -174,6 +174,20 @@ TEST_P(QuadraticElement, StiffnessIsTheDerivativeOfTheForceAtRest) {
   }
 }
 
+TEST_P(QuadraticElement, DampingIsTheStiffnessTimesTheVelocities) {
+  const Corners rest_corners = random_corners(random_);
+  const RestElement rest = rest_element(rest_corners);
+  Degrees x = Degrees::Zero(), velocities;
+  x.leftCols<4>() = random_.rotation() * rest_corners;
+  velocities << random_corners(random_), random_offsets(random_, 1);
+  const QuadraticForces found = quadratic_damping_forces(law_, rest, states_at(law_, rest, x).mean.frame,
+                                                         velocities.leftCols<4>(), velocities.rightCols<6>());
+  Degrees all;
+  all << found.corners, found.edges;
+  const Eigen::Matrix<double, 30, 1> expected = -stiffness_at(law_, rest, x) * velocities.reshaped();
+  EXPECT_LT((all.reshaped() - expected).norm(), 1e-10 * expected.norm());
+}
+
 TEST_P(QuadraticElement, StiffnessIsSymmetricAndPositiveSemidefiniteInAnyShape) {
   for (int trial = 0; trial < 50; ++trial) {
     const RestElement rest = rest_element(random_corners(random_));

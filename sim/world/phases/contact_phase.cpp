@@ -131,8 +131,9 @@ void read_back_rigid_velocities(WorldState& world) {
 NodeVectors respond_explicitly(WorldState& world, const Body& body, double dt, const std::vector<Vec3>& impulses) {
   NodeArrays& nodes = world.nodes;
   NodeVectors change = body.system->gather(impulses);
-  for (Eigen::Index row = 0; row < change.cols(); ++row) {
-    const NodeId node = body.system->nodes()[row];
+  const std::span<const NodeId> rows = body.system->nodes();
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const NodeId node = rows[row];
     change.col(row) = (nodes.constraints[node].allowed * change.col(row) / nodes.masses[node]).eval();
   }
   for (NodeId node : body.system->supports())

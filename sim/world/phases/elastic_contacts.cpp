@@ -36,9 +36,7 @@ DeformableInertia deformable_inertia(const WorldState& world, const Body& body, 
     inertia.factors = body.system->factors();
     return inertia;
   }
-  const std::span<const NodeId> nodes = body.system->nodes();
-  inertia.masses.resize(static_cast<Eigen::Index>(nodes.size()));
-  for (std::size_t row = 0; row < nodes.size(); ++row) inertia.masses[row] = world.nodes.masses[nodes[row]];
+  inertia.masses = body.system->gather_masses(world.nodes.masses, world.edges.masses);
   return inertia;
 }
 

@@ -22,12 +22,10 @@ constexpr double kMaxSubsteps = 1e5;
 double frequency_of(const WorldState& world, const Body& body, const Material& material) {
   ElasticSystem system = *body.system;
   system.assemble(MatrixFactors{.mass = 0, .stiffness = 1}, elastic_law(material), world.elements.rest_elements,
-                  world.elements.states, world.nodes.positions, world.nodes.masses);
+                  world.elements.states, world.nodes.positions, world.nodes.masses, world.edges.masses);
   const double density_ratio = material.density / world.material_of(body).density;
-  Eigen::VectorXd masses(system.nodes().size());
-  for (Eigen::Index row = 0; row < masses.size(); ++row)
-    masses[row] = density_ratio * world.nodes.masses[system.nodes()[row]];
-  return highest_frequency(system.matrix(), masses);
+  return highest_frequency(system.matrix(),
+                           density_ratio * system.gather_masses(world.nodes.masses, world.edges.masses));
 }
 
 /// The longest substep in which a body of this highest frequency [rad/s] is integrated explicitly [s].
@@ -49,16 +47,42 @@ Vec3 damping_force(const WorldState& world, const ElasticLaw& law, double stiffn
   return -rest.volume * stiffness_damping * (frame * (stress_rate * rest.shape_gradients.col(corner)));
 }
 
-void add_damping_forces(const WorldState& world, const Body& body, std::vector<Vec3>& forces) {
+/// The same of a quadratic body, on its edges too.
+void add_quadratic_damping(WorldState& world, const Body& body, const ElasticLaw& law, std::vector<Vec3>& forces) {
+  const double damping = world.material_of(body).stiffness_damping;
+  for (const TetId tet : body.tets) {
+    const QuadraticForces of_tet = quadratic_damping_forces(
+        law, world.elements.rest_elements[tet], world.elements.states[tet].frame,
+        corners_of(world.mesh, tet, world.nodes.velocities), edges_of(world.tet_edges, tet, world.edges.velocities));
+    for (int i = 0; i < 4; ++i) forces[world.mesh->tets[tet][i]] += damping * of_tet.corners.col(i);
+    for (int i = 0; i < 6; ++i)
+      world.scratch.edge_forces[world.tet_edges->of_tet[tet][i]] += damping * of_tet.edges.col(i);
+  }
+}
+
+void add_damping_forces(WorldState& world, const Body& body, std::vector<Vec3>& forces) {
   const Material& material = world.material_of(body);
   if (material.stiffness_damping == 0) return;
   const ElasticLaw law = elastic_law(material);
+  if (!body.edges.empty()) return add_quadratic_damping(world, body, law, forces);
   parallel_for(static_cast<int>(body.nodes.size()), 512, [&](int begin, int end) {
     for (int i = begin; i < end; ++i)
       for (TetId tet : world.mesh->stars[body.nodes[i]])
         forces[body.nodes[i]] +=
             damping_force(world, law, material.stiffness_damping, tet, local_corner(world.mesh, tet, body.nodes[i]));
   });
+}
+
+/// The step of the edges of a quadratic body, which move as both of their ends may.
+void step_edges(WorldState& world, const Body& body, double dt) {
+  const double mass_damping = world.material_of(body).mass_damping;
+  for (const EdgeId edge : body.edges) {
+    const auto& [a, b] = world.tet_edges->ends[edge];
+    const NodeConstraint constraint = constraint_between(world.nodes.constraints[a], world.nodes.constraints[b]);
+    Vec3& velocity = world.edges.velocities[edge];
+    velocity += dt * (world.scratch.edge_forces[edge] / world.edges.masses[edge] - mass_damping * velocity);
+    velocity = (constraint.allowed * velocity).eval();
+  }
 }
 
 }  // namespace
@@ -99,6 +123,7 @@ void predict_explicitly(WorldState& world, Body& body, std::vector<Vec3>& forces
   for (NodeId node : body.system->supports()) before.push_back(world.nodes.velocities[node]);
   explicit_step(dt, world.material_of(body).mass_damping, body.nodes, world.nodes.constraints, world.nodes.masses,
                 forces, world.nodes.velocities);
+  step_edges(world, body, dt);
   // What the supports did is what the momentum of their nodes lacks.
   for (std::size_t i = 0; i < before.size(); ++i) {
     const NodeId node = body.system->supports()[i];

@@ -130,7 +130,8 @@ Pieces add_scene_body(Model& model, WorldState& world, int scene_body, const Sha
   place_loads(world, scene_body, rest, model.findings);
   place_probes(world, scene_body, rest, model.findings);
   place_splinters(model, scene_body, rest, monitor);
-  if (description.elements == ElementOrder::quadratic) append_edges(world, first_tet);
+  model.element_choices.push_back(choose_elements(model.scene, scene_body, shape.mesh));
+  if (model.element_choices.back().order == ElementOrder::quadratic) append_edges(world, first_tet);
   for (NodeId tip : shape.slit_tips) world.nodes.at_crack_front[tip.shifted(first_node)] = 1;
   draw_strengths(world, description.strength_scatter, first_node);
   std::vector<TetId> tets;
@@ -269,7 +270,8 @@ double edge_mass(const WorldState& world, EdgeId edge) {
 
 WorldState build_world(const Scene& scene, const Monitor& monitor, const GivenMeshes& given) {
   check_probes(scene);
-  for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) check_elements(scene, i, scene.bodies[i].material);
+  for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i)
+    check_elements(scene, i, scene.bodies[i].elements, scene.bodies[i].material);
   const auto model = std::make_shared<Model>();
   model->scene = scene;
   WorldState world(model);

@@ -1,24 +1,51 @@
 #include "sim/world/setup/check_elements.h"
 
+#include <optional>
 #include <string>
 
 #include "sim/core/error.h"
+#include "sim/mesh/mesh_layers.h"
 
 namespace griffith {
+namespace {
 
-void check_elements(const Scene& scene, int scene_body, const Material& material) {
+/// What quadratic elements do not go with.
+struct Obstacle {
+  const char* name;
+  const char* remedy;
+};
+
+std::optional<Obstacle> obstacle_to_quadratic(const BodyDescription& body, const Material& material) {
+  if (body.remeshing) return Obstacle{"remeshing", "take \"linear\", or turn remeshing off"};
+  if (material.yield_strength) return Obstacle{"a yield strength", "take \"linear\", or a brittle material"};
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string text_of(const ElementChoice& choice) {
+  const std::string name = choice.order == ElementOrder::quadratic ? "quadratic" : "linear";
+  return choice.automatic ? name + ", since " + choice.reason : name;
+}
+
+void check_elements(const Scene& scene, int scene_body, ElementOrder order, const Material& material) {
+  if (order != ElementOrder::quadratic) return;
+  if (const auto obstacle = obstacle_to_quadratic(scene.bodies[scene_body], material))
+    throw InputError("#/bodies/" + std::to_string(scene_body) + "/elements",
+                     std::string("are quadratic, which does not go with ") + obstacle->name, obstacle->remedy);
+}
+
+ElementChoice choose_elements(const Scene& scene, int scene_body, const TetMesh& mesh) {
+  constexpr int kEnough = 4;  // layers of linear elements that bend
   const BodyDescription& body = scene.bodies[scene_body];
-  if (body.elements != ElementOrder::quadratic) return;
-  const bool moves = scene.analysis == Analysis::dynamic;
-  const auto require = [&](bool allowed, const char* beside, const char* remedy) {
-    if (!allowed)
-      throw InputError("#/bodies/" + std::to_string(scene_body) + "/elements",
-                       std::string("are quadratic, which does not go with ") + beside, remedy);
-  };
-  require(!body.remeshing, "remeshing", "take \"linear\", or turn remeshing off");
-  require(!material.yield_strength, "a yield strength", "take \"linear\", or a brittle material");
-  require(!moves || scene.simulation.integrator != Integrator::symplectic_euler, "explicit integration",
-          "take \"linear\", or the integrator \"implicit\"");
+  if (body.elements != ElementOrder::automatic) return {body.elements, false, 0, {}};
+  ElementChoice choice{ElementOrder::linear, true, layers_across(mesh), {}};
+  const auto obstacle = obstacle_to_quadratic(body, body.material);
+  const bool is_thin = choice.layers < kEnough;
+  choice.order = is_thin && !obstacle ? ElementOrder::quadratic : ElementOrder::linear;
+  choice.reason = std::to_string(choice.layers) + (choice.layers == 1 ? " lies" : " lie") + " across its thinnest part";
+  if (is_thin && obstacle) choice.reason += std::string(", but quadratic ones do not go with ") + obstacle->name;
+  return choice;
 }
 
 }  // namespace griffith
