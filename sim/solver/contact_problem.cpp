@@ -1,241 +1,22 @@
 #include "sim/solver/contact_problem.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "sim/core/rotation.h"
 #include "sim/solver/conjugate_gradient.h"
 #include "sim/solver/contact_cone.h"
-#include "sim/solver/contact_jacobian.h"
+#include "sim/solver/contact_motion.h"
 #include "sim/solver/contact_preconditioner.h"
-#include "sim/solver/rigid_motion.h"
+#include "sim/solver/contact_softness.h"
 
 namespace griffith {
-
-Vec3 WholeMotion::spin_of(const Eigen::Ref<const NodeVectors>& velocities) const {
-  Vec3 momentum = Vec3::Zero();
-  for (Eigen::Index i = 0; i < masses.size(); ++i)
-    momentum += masses[i] * Vec3(arms.col(i)).cross(Vec3(velocities.col(i)));
-  return inverse_inertia * momentum;
-}
-
-NodeVectors WholeMotion::part_of(const Eigen::Ref<const NodeVectors>& velocities) const {
-  const Vec3 velocity = inverse_mass * (velocities.leftCols(masses.size()) * masses), spin = spin_of(velocities);
-  NodeVectors field(3, arms.cols());
-  for (Eigen::Index i = 0; i < field.cols(); ++i) field.col(i) = spin.cross(Vec3(arms.col(i)));
-  field.leftCols(masses.size()).colwise() += velocity;
-  return field;
-}
-
-NodeVectors WholeMotion::momentum_of(const Eigen::Ref<const NodeVectors>& impulses) const {
-  Vec3 torque = Vec3::Zero();
-  for (Eigen::Index i = 0; i < arms.cols(); ++i) torque += Vec3(arms.col(i)).cross(Vec3(impulses.col(i)));
-  const Vec3 velocity = inverse_mass * impulses.leftCols(masses.size()).rowwise().sum(),
-             spin = inverse_inertia * torque;
-  NodeVectors momentum = NodeVectors::Zero(3, arms.cols());
-  for (Eigen::Index i = 0; i < masses.size(); ++i)
-    momentum.col(i) = masses[i] * (velocity + spin.cross(Vec3(arms.col(i))));
-  return momentum;
-}
-
 namespace {
 
 /// Contacts that converge slowly become stiffer, down to this share of their first softness.
 constexpr double kStiffest = 1e-3;
 /// Share of the tolerance that Newton's method may leave.
 constexpr double kNewtonFraction = 0.3;
-
-/// Bodies one after the other in one vector: rows of the deformable ones, then six numbers of each rigid one.
-class Bodies {
- public:
-  Bodies(std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid)
-      : deformable_(deformable), rigid_(rigid) {
-    for (const DeformableInertia& body : deformable) {
-      offsets_.push_back(size_);
-      size_ += 3 * body.rows();
-    }
-    first_rigid_ = size_;
-    size_ += 6 * static_cast<int>(rigid.size());
-  }
-
-  int size() const { return size_; }
-  int offset(const ContactSide& side) const {
-    return side.deformable ? offsets_[side.body] : first_rigid_ + 6 * side.body;
-  }
-  NodeVectors change(std::size_t body, const Eigen::VectorXd& v) const {
-    return v.segment(offsets_[body], 3 * deformable_[body].rows()).reshaped(3, deformable_[body].rows());
-  }
-
-  /// About the largest speed that these impulses would give a node, or a rigid body's mass, without contacts [m/s].
-  double speed_under(const Eigen::VectorXd& impulses) const {
-    double largest = 0;
-    NodeVectors z;
-    for (std::size_t i = 0; i < deformable_.size(); ++i) {
-      const DeformableInertia& body = deformable_[i];
-      NodeVectors of_body = change(i, impulses);
-      if (body.matrix && body.whole.exists()) {
-        const NodeVectors whole = body.whole.momentum_of(of_body);
-        for (Eigen::Index row = 0; row < body.whole.masses.size(); ++row)
-          largest = std::max(largest, whole.col(row).squaredNorm() / (body.whole.masses[row] * body.whole.masses[row]));
-        of_body -= whole;
-      }
-      if (body.matrix) {
-        Preconditioning(*body.preconditioner, body.factors).apply(of_body, z);
-      } else {
-        z = of_body * body.masses.cwiseInverse().asDiagonal();
-      }
-      if (z.cols() > 0) largest = std::max(largest, z.colwise().squaredNorm().maxCoeff());
-    }
-    for (std::size_t i = 0; i < rigid_.size(); ++i) {
-      const auto of_body = impulses.segment<6>(first_rigid_ + 6 * static_cast<Eigen::Index>(i));
-      const Vec3 turning = of_body.tail<3>();
-      const RigidInertia& body = rigid_[i];
-      largest = std::max(largest, of_body.head<3>().squaredNorm() / (body.mass * body.mass) +
-                                      turning.dot(body.inertia.inverse() * turning) / body.mass);
-    }
-    return std::sqrt(largest);
-  }
-
-  /// A v, the whole of a body resisting by its mass alone.
-  static void multiply(const DeformableInertia& body, const NodeVectors& v, NodeVectors& product) {
-    if (!body.matrix) return void(product = v * body.masses.asDiagonal());
-    if (!body.whole.exists()) return griffith::multiply(*body.matrix, v, product);
-    const NodeVectors whole = body.whole.part_of(v);
-    griffith::multiply(*body.matrix, v - whole, product);
-    product -= body.whole.momentum_of(product);
-    const Eigen::Index nodes = body.whole.masses.size();
-    product.leftCols(nodes) += whole.leftCols(nodes) * (body.whole.damping * body.whole.masses).asDiagonal();
-  }
-  void multiply(const Eigen::VectorXd& v, Eigen::VectorXd& product) const {
-    product.resize(size_);
-    NodeVectors of_body;
-    for (std::size_t i = 0; i < deformable_.size(); ++i) {
-      auto segment = product.segment(offsets_[i], 3 * deformable_[i].rows());
-      multiply(deformable_[i], change(i, v), of_body);
-      segment = of_body.reshaped();
-    }
-    for (std::size_t i = 0; i < rigid_.size(); ++i) {
-      const Eigen::Index first = first_rigid_ + 6 * static_cast<Eigen::Index>(i);
-      product.segment<3>(first) = rigid_[i].mass * v.segment<3>(first);
-      product.segment<3>(first + 3) = rigid_[i].inertia * v.segment<3>(first + 3);
-    }
-  }
-
- private:
-  std::span<const DeformableInertia> deformable_;
-  std::span<const RigidInertia> rigid_;
-  std::vector<int> offsets_;
-  int first_rigid_ = 0, size_ = 0;
-};
-
-/// The map J from the velocities of bodies to the relative velocities at contacts.
-class RelativeMotion {
- public:
-  RelativeMotion(const Bodies& bodies, std::span<const DeformableInertia> deformable,
-                 std::span<const FrictionContact> contacts)
-      : deformable_(deformable) {
-    for (const FrictionContact& contact : contacts) {
-      add_side(bodies, contact.a, contact.axes.transpose());
-      add_side(bodies, contact.b, -contact.axes.transpose());
-      local_.finish_contact();
-    }
-  }
-
-  /// J v, one column a contact.
-  Eigen::Matrix3Xd of(const Eigen::VectorXd& v) const {
-    Eigen::Matrix3Xd relative = local_.multiply(v);
-    for (const Lever& lever : levers_) relative.col(lever.contact) += lever.arm * spin_of(lever, v);
-    return relative;
-  }
-  /// v becomes v + Jᵀ p.
-  void add_impulses(const Eigen::Matrix3Xd& p, Eigen::VectorXd& v) const {
-    local_.add_transposed(p, v);
-    for (const Lever& lever : levers_) add_torque(lever, lever.arm.transpose() * p.col(lever.contact), v);
-  }
-
- private:
-  /// A contact off the surface of a body that turns as a whole.
-  struct Lever {
-    int contact, body, offset;
-    Mat3 arm;  ///< from spin to velocity along the axes
-  };
-
-  void add_side(const Bodies& bodies, const ContactSide& side, const Mat3& axes) {
-    if (side.body < 0) return;
-    const int offset = bodies.offset(side);
-    if (!side.deformable) return local_.add(offset, axes * rigid_modes(side.arm));
-    for (int i = 0; i < 3; ++i)
-      if (const int row = side.point.rows[i]; row >= 0) local_.add(offset + 3 * row, axes * side.point.weights[i]);
-    if (!side.offset.isZero(0))
-      levers_.push_back({local_.contacts(), side.body, offset, -axes * cross_matrix(side.offset)});
-  }
-
-  Vec3 spin_of(const Lever& lever, const Eigen::VectorXd& v) const {
-    const WholeMotion& whole = deformable_[lever.body].whole;
-    return whole.spin_of(v.segment(lever.offset, whole.arms.size()).reshaped(3, whole.arms.cols()));
-  }
-  void add_torque(const Lever& lever, const Vec3& torque, Eigen::VectorXd& v) const {
-    const WholeMotion& whole = deformable_[lever.body].whole;
-    const Vec3 spin = whole.inverse_inertia * torque;
-    for (Eigen::Index row = 0; row < whole.masses.size(); ++row)
-      v.segment<3>(lever.offset + 3 * row) += whole.masses[row] * spin.cross(Vec3(whole.arms.col(row)));
-  }
-
-  std::span<const DeformableInertia> deformable_;
-  ContactJacobian local_;
-  std::vector<Lever> levers_;
-};
-
-/// Mean compliance of a rigid side, or of a node that moves alone, at its own point [1/kg].
-double rigid_compliance(const RigidInertia& body, const Vec3& arm) {
-  const Mat3 cross = cross_matrix(arm);
-  return 1 / body.mass - (cross * body.inertia.inverse() * cross).trace() / 3;
-}
-/// Where held nodes carry nearly all of a point, its others count as much more than they have.
-double compliance_of(const DeformableInertia& body, const WeightedRows& point) {
-  constexpr double kLeastWeight = 0.05;
-  double compliance = 0;
-  for (int i = 0; i < 3; ++i)
-    if (const int row = point.rows[i]; row >= 0) {
-      const double of_node =
-          body.matrix ? body.preconditioner->inverse_diagonal(row).trace() / 3 : 1 / body.masses[row];
-      compliance += std::max(point.weights[i].squaredNorm() / 3, kLeastWeight * kLeastWeight) * of_node;
-    }
-  return compliance;
-}
-
-/// Compliance of a body at a point that does not deform [1/kg].
-double whole_compliance(const WholeMotion& whole, const WeightedRows& point) {
-  if (!whole.exists()) return 0;
-  Vec3 arm = Vec3::Zero();
-  for (int i = 0; i < 3; ++i)
-    if (const int row = point.rows[i]; row >= 0) arm += point.weights[i].trace() / 3 * whole.arms.col(row);
-  const Mat3 cross = cross_matrix(arm);
-  return whole.inverse_mass - (cross * whole.inverse_inertia * cross).trace() / 3;
-}
-
-/// Softness r of a contact [1/kg]: that of the elements that touch, or a small share of what masses alone have. With
-/// more, rounds converge slowly; with less, Newton's method does where contacts go from sticking to sliding. Elements
-/// of a stiff chip resist a long step 10⁹ times as much as its mass does, too much for the precision of numbers.
-double softness_of(std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid,
-                   const FrictionContact& contact) {
-  constexpr double kOfElements = 0.3, kOfMasses = 1e-2, kOfWhole = 1e-7;
-  double of_elements = 0, of_masses = 0, of_whole = 0;
-  for (const ContactSide* side : {&contact.a, &contact.b}) {
-    if (side->body < 0) continue;
-    if (!side->deformable) {
-      of_masses += rigid_compliance(rigid[side->body], side->arm);
-    } else {
-      const DeformableInertia& body = deformable[side->body];
-      (body.matrix ? of_elements : of_masses) += compliance_of(body, side->point);
-      if (body.matrix) of_whole += whole_compliance(body.whole, side->point);
-    }
-  }
-  const double softness = kOfElements * of_elements + kOfMasses * of_masses + kOfWhole * of_whole;
-  return softness > 0 ? softness : 1;  // nothing that could move
-}
 
 /// One round's convex problem and the rounds about it.
 class ContactSolver {
@@ -440,8 +221,8 @@ class ContactSolver {
 
   std::span<FrictionContact> contacts_;
   ContactTolerance tolerance_;
-  Bodies bodies_;
-  RelativeMotion motion_;
+  ContactBodies bodies_;
+  ContactMotion motion_;
   ContactPreconditioner preconditioner_;
   Eigen::VectorXd y_, a_y_;                        // changes of velocity and what they take
   Eigen::Matrix3Xd u_;                             // relative velocities at the contacts

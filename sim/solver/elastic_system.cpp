@@ -330,7 +330,7 @@ SolveReport ElasticSystem::solve_projected(std::span<const NodeConstraint> const
 }
 
 SolveReport ElasticSystem::solve_carried(const ImplicitStep& step, std::span<const NodeConstraint> constraints,
-                                         const Eigen::VectorXd& masses, NodeVectors b, NodeVectors& x) const {
+                                         const Eigen::VectorXd& masses, NodeVectors b, NodeVectors& x) {
   if (rows() == 0) return {};
   const Vec3 carried = common_velocity(supports(), constraints);
   const auto count = static_cast<Eigen::Index>(nodes().size());
@@ -339,8 +339,9 @@ SolveReport ElasticSystem::solve_carried(const ImplicitStep& step, std::span<con
   x.leftCols(count).colwise() -= carried;
   project_right_hand_side(constraints, b, carried);
   project(x);
-  const SolveReport report = conjugate_gradient(rows_->matrix, **preconditioner_, b, x, step.relative_residual,
+  const SolveReport report = conjugate_gradient(rows_->matrix, preconditioning(), b, x, step.relative_residual,
                                                 std::sqrt(dot(b, b)), step.max_iterations);
+  if (factors_) factors_->count_iterations(report.iterations);
   x.leftCols(count).colwise() += carried;
   project(x);
   return report;

@@ -134,7 +134,7 @@ class ElasticSystem {
                                const Vec3& carried = Vec3::Zero()) const;
   /// Solves for velocities beside the translation that the supports share; `masses`: one a row [kg].
   SolveReport solve_carried(const ImplicitStep& step, std::span<const NodeConstraint> constraints,
-                            const Eigen::VectorXd& masses, NodeVectors b, NodeVectors& x) const;
+                            const Eigen::VectorXd& masses, NodeVectors b, NodeVectors& x);
   /// Completes the impulses that reactions_ holds, −(M v + h f) of the supports, to reaction forces.
   void balance_supports(double dt, std::span<const NodeConstraint> constraints, std::span<const Vec3> velocities,
                         std::span<const Vec3> edge_velocities);

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "sim/core/linear_algebra.h"
+#include "sim/core/point_compliance.h"
+#include "sim/solver/block_sparse_matrix.h"
+#include "sim/solver/preconditioner.h"
+#include "sim/solver/whole_motion.h"
+
+namespace griffith {
+
+class FactorPreconditioner;
+
+/// A deformable body of a contact problem: what resists changes of the velocities of its rows [kg].
+struct DeformableInertia {
+  const BlockSparseMatrix* matrix = nullptr;                ///< A of an implicit step; null: `masses` alone
+  const RigidModePreconditioner* preconditioner = nullptr;  ///< of `matrix`
+  Eigen::VectorXd masses = {};                              ///< per row, of an explicit step [kg]
+  WholeMotion whole = {};
+  const FactorPreconditioner* factors = nullptr;  ///< of `matrix`, where there are any
+  int rows() const { return matrix ? matrix->rows() : static_cast<int>(masses.size()); }
+};
+
+/// A free rigid body of a contact problem.
+struct RigidInertia {
+  double mass = 1;                  ///< [kg], > 0
+  Mat3 inertia = Mat3::Identity();  ///< about the center of mass, world frame [kg·m²]
+};
+
+/// One side of a contact. It does not move under impulses where `body` is -1.
+struct ContactSide {
+  int body = -1;               ///< index into the deformable or the rigid bodies
+  bool deformable = false;     ///< which of the two
+  WeightedRows point = {};     ///< of a deformable body: of its surface
+  Vec3 offset = Vec3::Zero();  ///< from there to the contact, which turns with the body as a whole [m]
+  Vec3 arm = Vec3::Zero();     ///< of a rigid body, from its center of mass [m]
+};
+
+/// A contact with friction. Vectors are along `axes`: the normal from b to a, and two tangents.
+struct FrictionContact {
+  ContactSide a, b;
+  Mat3 axes = Mat3::Identity();       ///< columns
+  double friction = 0;                ///< Coulomb's coefficient, >= 0
+  double target_velocity = 0;         ///< least velocity of parting [m/s]
+  Vec3 free_velocity = Vec3::Zero();  ///< of a relative to b without impulses [m/s]
+  Vec3 impulse = Vec3::Zero();        ///< on a: a guess before, the solution after [N·s]
+};
+
+}  // namespace griffith

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/solver/contact_bodies.h"
+#include "sim/solver/contact_jacobian.h"
+
+namespace griffith {
+
+/// Bodies of a contact problem in one vector: rows of the deformable ones, then six numbers of each rigid one.
+class ContactBodies {
+ public:
+  ContactBodies(std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid);
+
+  int size() const { return size_; }
+  int offset(const ContactSide& side) const {
+    return side.deformable ? offsets_[side.body] : first_rigid_ + 6 * side.body;
+  }
+  /// Rows of a deformable body, one column each.
+  NodeVectors change(std::size_t body, const Eigen::VectorXd& v) const;
+
+  /// Returns about the largest speed that impulses would give a node, or a rigid body's mass, without contacts [m/s].
+  double speed_under(const Eigen::VectorXd& impulses) const;
+
+  /// Writes A v. The whole of a body resists by its mass alone.
+  void multiply(const Eigen::VectorXd& v, Eigen::VectorXd& product) const;
+
+ private:
+  double squared_speed_of_deformable(std::size_t body, const Eigen::VectorXd& impulses) const;
+  double squared_speed_of_rigid(std::size_t body, const Eigen::VectorXd& impulses) const;
+
+  std::span<const DeformableInertia> deformable_;
+  std::span<const RigidInertia> rigid_;
+  std::vector<int> offsets_;
+  int first_rigid_ = 0, size_ = 0;
+};
+
+/// The map J from the velocities of bodies to the relative velocities at contacts.
+class ContactMotion {
+ public:
+  ContactMotion(const ContactBodies& bodies, std::span<const DeformableInertia> deformable,
+                std::span<const FrictionContact> contacts);
+
+  /// Returns J v, one column a contact.
+  Eigen::Matrix3Xd of(const Eigen::VectorXd& v) const;
+  /// v becomes v + Jᵀ p.
+  void add_impulses(const Eigen::Matrix3Xd& p, Eigen::VectorXd& v) const;
+
+ private:
+  /// A contact off the surface of a body that turns as a whole.
+  struct Lever {
+    int contact, body, offset;
+    Mat3 arm;  ///< from spin to velocity along the axes
+  };
+
+  void add_side(const ContactBodies& bodies, const ContactSide& side, const Mat3& axes);
+  Vec3 spin_of(const Lever& lever, const Eigen::VectorXd& v) const;
+  void add_torque(const Lever& lever, const Vec3& torque, Eigen::VectorXd& v) const;
+
+  std::span<const DeformableInertia> deformable_;
+  ContactJacobian local_;
+  std::vector<Lever> levers_;
+};
+
+}  // namespace griffith
