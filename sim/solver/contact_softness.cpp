@@ -40,7 +40,7 @@ double whole_compliance(const WholeMotion& whole, const WeightedRows& point) {
 
 double softness_of(std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid,
                    const FrictionContact& contact) {
-  constexpr double kOfElements = 0.3, kOfMasses = 1e-2, kOfWhole = 1e-8;
+  constexpr double kOfElements = 0.3, kOfMasses = 1e-2, kOfWhole = 1e-9;
   double of_elements = 0, of_masses = 0, of_whole = 0;
   for (const ContactSide* side : {&contact.a, &contact.b}) {
     if (side->body < 0) continue;
