@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <tuple>
@@ -104,11 +105,14 @@ void ContactWorld::Impl::list_pair(std::span<const Pair> of_pair, double dt) {
   for (const Pair& pair : of_pair) {
     if (pair.count == 0) continue;
     Manifold& manifold = manifolds[pair.manifold];
+    std::array<Contact, 4> found;
     double overlap = 0;  // pushing a corner out by it may push another one in
-    for (const Manifold::Point& point : manifold.listed())
-      overlap = std::max(overlap, -contact_at(pair, manifold, point, a.place, b.place).distance);
     for (int i = 0; i < pair.count; ++i) {
-      const Contact contact = contact_at(pair, manifold, manifold.points[i], a.place, b.place);
+      found[i] = contact_at(pair, manifold, manifold.points[i], a.place, b.place);
+      overlap = std::max(overlap, -found[i].distance);
+    }
+    for (int i = 0; i < pair.count; ++i) {
+      const Contact& contact = found[i];
       if (!(contact.distance < overlap) && !is_near(pair, contact, dt)) {
         manifold.points[i].force.setZero();
         continue;
