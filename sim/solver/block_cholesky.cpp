@@ -8,7 +8,7 @@
 namespace griffith {
 namespace {
 
-/// What a front leaves to the rows below it: a symmetric matrix, its lower triangle by columns.
+/// Schur complement of a front for the rows below it: the lower triangle of a symmetric matrix, by columns.
 using Remainder = std::vector<double>;
 
 /// One front's columns and remainder, while it is assembled.

@@ -13,7 +13,7 @@ struct SolveReport {
   bool converged = true;
 };
 
-/// What makes conjugate gradients converge quickly: the factors of a matrix, or rigid motions of aggregates.
+/// Preconditioner of conjugate gradients: the factors of a matrix, or else rigid motions of aggregates.
 struct Preconditioning {
   Preconditioning(const RigidModePreconditioner& of_modes) : modes(of_modes) {}
   Preconditioning(const RigidModePreconditioner& of_modes, const FactorPreconditioner* of_factors)

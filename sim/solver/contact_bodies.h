@@ -13,10 +13,10 @@ class FactorPreconditioner;
 /// A deformable body of a contact problem: what resists changes of the velocities of its rows [kg].
 struct DeformableInertia {
   const BlockSparseMatrix* matrix = nullptr;                ///< A of an implicit step; null: `masses` alone
-  const RigidModePreconditioner* preconditioner = nullptr;  ///< of `matrix`
+  const RigidModePreconditioner* preconditioner = nullptr;  ///< preconditioner of `matrix`
   Eigen::VectorXd masses = {};                              ///< per row, of an explicit step [kg]
   WholeMotion whole = {};
-  const FactorPreconditioner* factors = nullptr;  ///< of `matrix`, where there are any
+  const FactorPreconditioner* factors = nullptr;  ///< factors of `matrix`, null if none
   int rows() const { return matrix ? matrix->rows() : static_cast<int>(masses.size()); }
 };
 
@@ -30,9 +30,9 @@ struct RigidInertia {
 struct ContactSide {
   int body = -1;               ///< index into the deformable or the rigid bodies
   bool deformable = false;     ///< which of the two
-  WeightedRows point = {};     ///< of a deformable body: of its surface
-  Vec3 offset = Vec3::Zero();  ///< from there to the contact, which turns with the body as a whole [m]
-  Vec3 arm = Vec3::Zero();     ///< of a rigid body, from its center of mass [m]
+  WeightedRows point = {};     ///< point on the surface of a deformable body
+  Vec3 offset = Vec3::Zero();  ///< offset of the contact from it, turning with the body as a whole [m]
+  Vec3 arm = Vec3::Zero();     ///< offset of the contact from the center of mass of a rigid body [m]
 };
 
 /// A contact with friction. Vectors are along `axes`: the normal from b to a, and two tangents.
@@ -41,7 +41,7 @@ struct FrictionContact {
   Mat3 axes = Mat3::Identity();       ///< columns
   double friction = 0;                ///< Coulomb's coefficient, >= 0
   double target_velocity = 0;         ///< least velocity of parting [m/s]
-  Vec3 free_velocity = Vec3::Zero();  ///< of a relative to b without impulses [m/s]
+  Vec3 free_velocity = Vec3::Zero();  ///< velocity of a relative to b without impulses [m/s]
   Vec3 impulse = Vec3::Zero();        ///< on a: a guess before, the solution after [N·s]
 };
 

@@ -40,7 +40,7 @@ class ContactPreconditioner {
   struct BodyUnknowns {
     std::vector<int> touched;                  ///< rows, ascending
     std::optional<CoarseReduction> reduction;  ///< none without a coarse space
-    std::optional<TouchedInverse> inverse;     ///< of a body with factors
+    std::optional<TouchedInverse> inverse;     ///< condensed factors of a body that has some
     int first_touched = 0, first_aggregate = 0;
     int offset = 0;  ///< in the vector of all velocities
     int row_unknown(int row) const;

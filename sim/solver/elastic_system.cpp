@@ -263,15 +263,14 @@ SolveReport ElasticSystem::solve(const ImplicitStep& step, std::span<const Vec3>
   SolveReport report;
   if (is_free()) {
     report = solve_free(step, places, mass, b, x);
-    if (factors_) factors_->count_iterations(report.iterations);
   } else if (const std::optional<Pivot> pivot = pivot_of(supports(), constraints, positions)) {
     project(b);
     report = solve_swinging(rows_->matrix, preconditioning(), step, *pivot, count, places, mass, b, x);
-    if (factors_) factors_->count_iterations(report.iterations);
     project(x);
   } else {
     report = solve_carried(step, constraints, mass, b, x);
   }
+  if (factors_) factors_->count_iterations(report.iterations);
   for (int row = 0; row < count; ++row) velocities[nodes()[row]] = x.col(row);
   for (std::size_t i = 0; i < edges().size(); ++i) of_edges.velocities[edges()[i]] = x.col(count + i);
   for (NodeId node : supports())
@@ -322,15 +321,20 @@ SolveReport ElasticSystem::solve_projected(std::span<const NodeConstraint> const
                                            const std::function<bool()>& given_up) {
   if (rows() == 0) return {};
   project_right_hand_side(constraints, b);
-  project(x);
-  const SolveReport report = conjugate_gradient(rows_->matrix, preconditioning(), b, x, relative_residual,
-                                                std::sqrt(dot(b, b)), max_iterations, given_up);
+  const SolveReport report = solve_rows(b, x, relative_residual, max_iterations, given_up);
   if (factors_) factors_->count_iterations(report.iterations);
   return report;
 }
 
+SolveReport ElasticSystem::solve_rows(const NodeVectors& b, NodeVectors& x, double relative_residual,
+                                      int max_iterations, const std::function<bool()>& given_up) const {
+  project(x);
+  return conjugate_gradient(rows_->matrix, preconditioning(), b, x, relative_residual, std::sqrt(dot(b, b)),
+                            max_iterations, given_up);
+}
+
 SolveReport ElasticSystem::solve_carried(const ImplicitStep& step, std::span<const NodeConstraint> constraints,
-                                         const Eigen::VectorXd& masses, NodeVectors b, NodeVectors& x) {
+                                         const Eigen::VectorXd& masses, NodeVectors b, NodeVectors& x) const {
   if (rows() == 0) return {};
   const Vec3 carried = common_velocity(supports(), constraints);
   const auto count = static_cast<Eigen::Index>(nodes().size());
@@ -338,10 +342,7 @@ SolveReport ElasticSystem::solve_carried(const ImplicitStep& step, std::span<con
   b.leftCols(count) -= carried * resisting.transpose();
   x.leftCols(count).colwise() -= carried;
   project_right_hand_side(constraints, b, carried);
-  project(x);
-  const SolveReport report = conjugate_gradient(rows_->matrix, preconditioning(), b, x, step.relative_residual,
-                                                std::sqrt(dot(b, b)), step.max_iterations);
-  if (factors_) factors_->count_iterations(report.iterations);
+  const SolveReport report = solve_rows(b, x, step.relative_residual, step.max_iterations);
   x.leftCols(count).colwise() += carried;
   project(x);
   return report;

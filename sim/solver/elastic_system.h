@@ -134,7 +134,10 @@ class ElasticSystem {
                                const Vec3& carried = Vec3::Zero()) const;
   /// Solves for velocities beside the translation that the supports share; `masses`: one a row [kg].
   SolveReport solve_carried(const ImplicitStep& step, std::span<const NodeConstraint> constraints,
-                            const Eigen::VectorXd& masses, NodeVectors b, NodeVectors& x);
+                            const Eigen::VectorXd& masses, NodeVectors b, NodeVectors& x) const;
+  /// Solves S A S x = b, `b` projected, from the guess `x`.
+  SolveReport solve_rows(const NodeVectors& b, NodeVectors& x, double relative_residual, int max_iterations,
+                         const std::function<bool()>& given_up = {}) const;
   /// Completes the impulses that reactions_ holds, −(M v + h f) of the supports, to reaction forces.
   void balance_supports(double dt, std::span<const NodeConstraint> constraints, std::span<const Vec3> velocities,
                         std::span<const Vec3> edge_velocities);
