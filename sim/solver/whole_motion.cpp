@@ -1,6 +1,47 @@
 #include "sim/solver/whole_motion.h"
 
+#include <Eigen/LU>
+#include <utility>
+
+#include "sim/core/rotation.h"
+
 namespace griffith {
+namespace {
+
+/// Arms and masses of a motion about a place.
+WholeMotion motion_about(const Vec3& place, NodeVectors places, Eigen::VectorXd masses) {
+  WholeMotion whole;
+  whole.arms = std::move(places);
+  whole.masses = std::move(masses);
+  whole.arms.leftCols(whole.masses.size()).colwise() -= place;
+  return whole;
+}
+
+Mat3 inertia_of(const WholeMotion& whole) {
+  Mat3 inertia = Mat3::Zero();
+  for (Eigen::Index i = 0; i < whole.masses.size(); ++i) {
+    const Mat3 arm = cross_matrix(whole.arms.col(i));
+    inertia -= whole.masses[i] * arm * arm;
+  }
+  return inertia;
+}
+
+}  // namespace
+
+WholeMotion free_motion(NodeVectors places, Eigen::VectorXd masses) {
+  const Vec3 center = places.leftCols(masses.size()) * masses / masses.sum();
+  WholeMotion whole = motion_about(center, std::move(places), std::move(masses));
+  whole.inverse_mass = 1 / whole.masses.sum();
+  whole.inverse_inertia = inertia_of(whole).inverse();
+  return whole;
+}
+
+WholeMotion swinging_motion(NodeVectors places, Eigen::VectorXd masses, const Pivot& pivot) {
+  WholeMotion whole = motion_about(pivot.place, std::move(places), std::move(masses));
+  whole.inverse_inertia =
+      pivot.axes * (pivot.axes.transpose() * inertia_of(whole) * pivot.axes).inverse() * pivot.axes.transpose();
+  return whole;
+}
 
 Vec3 WholeMotion::spin_of(const Eigen::Ref<const NodeVectors>& velocities) const {
   Vec3 momentum = Vec3::Zero();

@@ -2,6 +2,7 @@
 
 #include "sim/core/linear_algebra.h"
 #include "sim/solver/block_sparse_matrix.h"
+#include "sim/solver/pivot.h"
 
 namespace griffith {
 
@@ -20,5 +21,11 @@ struct WholeMotion {
   /// The momentum by which these impulses move the whole: Qᵀ p.
   NodeVectors momentum_of(const Eigen::Ref<const NodeVectors>& impulses) const;
 };
+
+/// Motions of a free body as a whole. `places`: positions of its nodes, then offsets of its edges [m]; `masses`: of its
+/// nodes [kg].
+WholeMotion free_motion(NodeVectors places, Eigen::VectorXd masses);
+/// Motions of a body as a whole that turns about a pivot.
+WholeMotion swinging_motion(NodeVectors places, Eigen::VectorXd masses, const Pivot& pivot);
 
 }  // namespace griffith

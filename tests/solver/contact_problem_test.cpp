@@ -169,15 +169,8 @@ struct FallingBox {
       : FallingBox({Vec3(0.4, 0.2, 0.4), 0.1, 6e10}, friction, velocity) {}
   FallingBox(ElasticBox box, double friction, const Vec3& velocity, double dt = kStepTime) : body(std::move(box)) {
     body.assemble(system, {.dt = dt});
-    whole.masses = Eigen::Map<const Eigen::VectorXd>(body.masses.data(), body.masses.size());
-    whole.arms = system.gather(body.positions);
-    whole.arms.colwise() -= Vec3(whole.arms * whole.masses / whole.masses.sum());
-    whole.inverse_mass = 1 / whole.masses.sum();
-    Mat3 inertia = Mat3::Zero();
-    for (Eigen::Index i = 0; i < whole.arms.cols(); ++i)
-      inertia += whole.masses[i] * (whole.arms.col(i).squaredNorm() * Mat3::Identity() -
-                                    whole.arms.col(i) * whole.arms.col(i).transpose());
-    whole.inverse_inertia = inertia.inverse();
+    whole = free_motion(system.gather(body.positions),
+                        Eigen::Map<const Eigen::VectorXd>(body.masses.data(), body.masses.size()));
     double lowest = 0;
     for (const Vec3& position : body.positions) lowest = std::min(lowest, position.y());
     for (int row = 0; row < system.rows(); ++row) {

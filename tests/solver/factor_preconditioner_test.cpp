@@ -64,18 +64,8 @@ struct QuadraticStrip {
     return report.iterations;
   }
   WholeMotion whole() const {
-    WholeMotion whole;
-    whole.masses = Eigen::Map<const Eigen::VectorXd>(body.masses.data(), body.masses.size());
-    whole.arms = system->gather(body.positions);
-    const Vec3 center = whole.arms.leftCols(whole.masses.size()) * whole.masses / whole.masses.sum();
-    whole.arms.leftCols(whole.masses.size()).colwise() -= center;
-    whole.inverse_mass = 1 / whole.masses.sum();
-    Mat3 inertia = Mat3::Zero();
-    for (Eigen::Index i = 0; i < whole.masses.size(); ++i)
-      inertia += whole.masses[i] * (whole.arms.col(i).squaredNorm() * Mat3::Identity() -
-                                    whole.arms.col(i) * whole.arms.col(i).transpose());
-    whole.inverse_inertia = inertia.inverse();
-    return whole;
+    return free_motion(system->gather(body.positions),
+                       Eigen::Map<const Eigen::VectorXd>(body.masses.data(), body.masses.size()));
   }
 };
 

@@ -115,6 +115,10 @@ void clear_stress(WorldState& world, const Body& body) {
   for (NodeId node : body.nodes) world.nodes.separations[node] = {};
 }
 
+std::optional<Pivot> pivot_of(const WorldState& world, const Body& body) {
+  return pivot_of(body.system->supports(), world.nodes.constraints, world.nodes.positions);
+}
+
 RigidMotion motion_of(const WorldState& world, const Body& body) {
   return rigid_motion(gather(world.nodes.positions, body.nodes), gather(world.nodes.velocities, body.nodes),
                       gather(world.nodes.masses, body.nodes));

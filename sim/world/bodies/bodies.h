@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "sim/elasticity/placement.h"
+#include "sim/solver/pivot.h"
 #include "sim/world/world_state.h"
 
 namespace griffith {
@@ -35,6 +37,8 @@ void fit_proxy(WorldState& world, Body& body);
 void add_proxies(WorldState& world, std::span<Body> bodies);
 /// The rigid motion that carries the momentum of a body's nodes.
 RigidMotion motion_of(const WorldState& world, const Body& body);
+/// Returns the place and axes about which its supports let a body turn, none where they hold it more firmly.
+std::optional<Pivot> pivot_of(const WorldState& world, const Body& body);
 /// Takes mass, momentum and orientation of a body from its nodes.
 void update_motion(WorldState& world, Body& body);
 /// The placement that fits nodes best, by their masses.

@@ -8,6 +8,7 @@
 
 #include "sim/core/parallel.h"
 #include "sim/solver/pivot.h"
+#include "sim/world/bodies/bodies.h"
 #include "sim/world/corners.h"
 #include "sim/world/world_state.h"
 
@@ -255,7 +256,7 @@ SpinInStep spin_in_step(const WorldState& world, const Body& body, const BodySna
                         const std::vector<Vec3>& external, double dt) {
   std::optional<Pivot> pivot;
   if (body.supported()) {
-    pivot = pivot_of(body.system->supports(), world.nodes.constraints, world.nodes.positions);
+    pivot = pivot_of(world, body);
     if (!pivot) return {};
   }
   const auto count = static_cast<Eigen::Index>(body.nodes.size());

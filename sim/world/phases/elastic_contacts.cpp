@@ -161,7 +161,7 @@ std::vector<HingedObject> hinged_objects(const WorldState& world, const TouchedB
   for (std::size_t i = 0; i < touched.bodies.size(); ++i) {
     const Body& body = world.bodies[touched.bodies[i].body];
     if (!body.quasi_static || !body.supported()) continue;
-    const auto pivot = pivot_of(body.system->supports(), world.nodes.constraints, world.nodes.positions);
+    const auto pivot = pivot_of(world, body);
     if (!pivot) continue;
     const std::span<const NodeId> nodes = body.system->nodes();
     Eigen::VectorXd masses(static_cast<Eigen::Index>(nodes.size()));

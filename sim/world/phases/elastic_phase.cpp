@@ -10,6 +10,7 @@
 #include "sim/elasticity/plasticity.h"
 #include "sim/mesh/corner_sums.h"
 #include "sim/solver/pivot.h"
+#include "sim/world/bodies/bodies.h"
 #include "sim/world/element_states.h"
 #include "sim/world/phases/explicit_phase.h"
 #include "sim/world/phases/motion_phase.h"
@@ -78,7 +79,7 @@ void remove_inner_torque(const WorldState& world, const Body& body, const Vec3& 
 
 /// Lets the forces on a body that swings about a pivot act where it will be half-way through a substep of `dt` [s].
 void turn_forces_halfway(const WorldState& world, const Body& body, double dt, std::vector<Vec3>& forces) {
-  const auto pivot = pivot_of(body.system->supports(), world.nodes.constraints, world.nodes.positions);
+  const auto pivot = pivot_of(world, body);
   if (!pivot) return;
   const auto count = static_cast<Eigen::Index>(body.nodes.size());
   NodeVectors positions(3, count), velocities(3, count), acting(3, count);

@@ -9,117 +9,16 @@
 #include "sim/core/free_turn.h"
 #include "sim/core/parallel.h"
 #include "sim/core/rotation.h"
-#include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/phases/contact_phase.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/nonlinear_motion.h"
+#include "sim/world/phases/turning.h"
 #include "sim/world/world_state.h"
 
 namespace griffith {
 namespace {
-
-/// Moves the edges of a body that turns by `turn` in a substep of `dt` [s]: they turn along, and what their velocities
-/// have beside `spin` [rad/s] bends them. Velocities are left without what turning makes of them.
-void turn_edges(WorldState& world, const Body& body, const Vec3& spin, const Mat3& turn, double dt) {
-  for (const EdgeId edge : body.edges) {
-    Vec3 &offset = world.edges.offsets[edge], &velocity = world.edges.velocities[edge];
-    const Vec3 bending = velocity - spin.cross(offset);
-    offset = turn * (offset + dt * bending);
-    velocity = turn * bending;
-  }
-}
-
-void add_spin_to_edges(WorldState& world, const Body& body, const Vec3& spin) {
-  for (const EdgeId edge : body.edges) world.edges.velocities[edge] += spin.cross(world.edges.offsets[edge]);
-}
-
-/// Moves a free body by its velocities: its rigid part turns it, what is left deforms it. Along the tangents instead, a
-/// turn by the angle a would stretch it by a²/2, which a stiff body answers with more than its strength. Linear and
-/// angular momentum are kept.
-void move_free(WorldState& world, const Body& body, double dt) {
-  const RigidMotion before = motion_of(world, body);
-  const Mat3 turn = free_turn(before.inertia, before.angular_velocity, dt);
-  const Vec3 center = before.center + dt * before.velocity;
-  for (NodeId node : body.nodes) {
-    Vec3 &position = world.nodes.positions[node], &velocity = world.nodes.velocities[node];
-    const Vec3 deforming = velocity - before.velocity_at(position);
-    position = center + turn * (position - before.center + dt * deforming);
-    velocity = turn * deforming;
-  }
-  turn_edges(world, body, before.angular_velocity, turn, dt);
-  const RigidMotion after = motion_of(world, body);
-  const Vec3 spin = after.inertia.inverse() * (before.inertia * before.angular_velocity);
-  for (NodeId node : body.nodes)
-    world.nodes.velocities[node] += before.velocity + spin.cross(world.nodes.positions[node] - center);
-  add_spin_to_edges(world, body, spin);
-}
-
-std::optional<Pivot> pivot_of(const WorldState& world, const Body& body) {
-  return pivot_of(body.system->supports(), world.nodes.constraints, world.nodes.positions);
-}
-
-NodeVectors of_nodes(const Body& body, const std::vector<Vec3>& values) {
-  NodeVectors columns(3, body.nodes.size());
-  for (std::size_t i = 0; i < body.nodes.size(); ++i) columns.col(i) = values[body.nodes[i]];
-  return columns;
-}
-
-Eigen::VectorXd masses_of(const WorldState& world, const Body& body) {
-  Eigen::VectorXd masses(body.nodes.size());
-  for (std::size_t i = 0; i < body.nodes.size(); ++i) masses[i] = world.nodes.masses[body.nodes[i]];
-  return masses;
-}
-
-Turning turning_of(const WorldState& world, const Body& body, const Pivot& pivot) {
-  return turning_about(pivot, of_nodes(body, world.nodes.positions), of_nodes(body, world.nodes.velocities),
-                       masses_of(world, body));
-}
-
-/// The mean spin of a body in a substep of `dt` [s] after which it has `spin` [rad/s]: with half of what `external`
-/// forces gave it, so that it swings without gain or loss (position Verlet). What touches something
-/// moves by the velocity with which it does not get into it.
-Vec3 mean_spin(const WorldState& world, const Body& body, const Pivot& pivot, const Vec3& spin,
-               const std::vector<Vec3>& external, double dt) {
-  if (body.contact_work != 0) return spin;
-  constexpr int kIterations = 3;
-  const NodeVectors positions = of_nodes(body, world.nodes.positions), forces = of_nodes(body, external);
-  const Eigen::VectorXd masses = masses_of(world, body);
-  Vec3 gained = Vec3::Zero();
-  for (int i = 0; i < kIterations; ++i)
-    gained = dt * swing_acceleration(pivot, positions, masses, forces, 0.5 * dt * (spin - gained));
-  return spin - 0.5 * gained;
-}
-
-/// Moves a supported body that turns about a pivot; its angular momentum about it is kept.
-void move_swinging(WorldState& world, const Body& body, const Pivot& pivot, const std::vector<Vec3>& external,
-                   double dt) {
-  const Turning before = turning_of(world, body, pivot);
-  const Vec3 mean = mean_spin(world, body, pivot, before.spin, external, dt);
-  const Mat3 turn =
-      pivot.axes.cols() == 3 ? free_turn(before.inertia, mean, dt) : rotation_by(dt * mean).toRotationMatrix();
-  for (NodeId node : body.nodes) {
-    Vec3 &position = world.nodes.positions[node], &velocity = world.nodes.velocities[node];
-    const Vec3 from = position, deforming = velocity - before.spin.cross(position - pivot.place);
-    position = pivot.place + turn * (position - pivot.place + dt * deforming);
-    velocity = turn * deforming;
-    const NodeConstraint& constraint = world.nodes.constraints[node];
-    position = from + constraint.allowed * (position - from);
-  }
-  turn_edges(world, body, before.spin, turn, dt);
-  const Turning after = turning_of(world, body, pivot);
-  const Mat3 turned = pivot.axes.cols() == 3 ? Mat3(Mat3::Identity()) : turn;
-  const Eigen::MatrixXd inertia = pivot.axes.transpose() * after.inertia * pivot.axes;
-  const Vec3 spin =
-      pivot.axes * (inertia.inverse() * (pivot.axes.transpose() * (turned * (before.inertia * before.spin))));
-  for (NodeId node : body.nodes) {
-    Vec3& velocity = world.nodes.velocities[node];
-    velocity =
-        world.nodes.constraints[node].allowed * (velocity + spin.cross(world.nodes.positions[node] - pivot.place));
-  }
-  add_spin_to_edges(world, body, spin);
-}
 
 /// How far a rigid body gets, to where its contacts leave it [m]. What is fast stops at what it meets, or it would pass
 /// through thin bodies. Pieces of one body, much of a size, may pass through one another.
@@ -163,17 +62,28 @@ double work_done(const WorldState& world, const Body& body, const std::vector<Ve
   return work;
 }
 
-/// What of a node's velocity does not deform the body: of its motion as a whole, its swinging, or that of its supports
-/// together.
-std::function<Vec3(NodeId)> rigid_velocity_of(const WorldState& world, const Body& body) {
-  if (!body.supported())
-    return [&world, motion = motion_of(world, body)](NodeId node) {
-      return motion.velocity_at(world.nodes.positions[node]);
-    };
+/// Motion of a body as a whole that its supports allow: about its center of mass or a pivot.
+struct FreeMotion {
+  Vec3 place = Vec3::Zero(), velocity = Vec3::Zero(), spin = Vec3::Zero();
+  Vec3 velocity_at(const Vec3& position) const { return velocity + spin.cross(position - place); }
+};
+
+/// No motion where supports hold the body more firmly.
+std::optional<FreeMotion> free_motion_of(const WorldState& world, const Body& body) {
+  if (!body.supported()) {
+    const RigidMotion motion = motion_of(world, body);
+    return FreeMotion{motion.center, motion.velocity, motion.angular_velocity};
+  }
   if (const std::optional<Pivot> pivot = pivot_of(world, body))
-    return [&world, place = pivot->place, spin = turning_of(world, body, *pivot).spin](NodeId node) {
-      return Vec3(spin.cross(world.nodes.positions[node] - place));
-    };
+    return FreeMotion{pivot->place, Vec3::Zero(), turning_of(world, body, *pivot).spin};
+  return std::nullopt;
+}
+
+/// Part of a node's velocity that does not deform the body: its motion as a whole, its swinging, or the motion of its
+/// supports together.
+std::function<Vec3(NodeId)> rigid_velocity_of(const WorldState& world, const Body& body) {
+  if (const std::optional<FreeMotion> motion = free_motion_of(world, body))
+    return [&world, motion = *motion](NodeId node) { return motion.velocity_at(world.nodes.positions[node]); };
   return [&world, carried = common_velocity(body.system->supports(), world.nodes.constraints)](NodeId node) {
     const NodeConstraint& constraint = world.nodes.constraints[node];
     return Vec3(constraint.velocity + constraint.allowed * carried);
@@ -232,15 +142,11 @@ ElasticMove move_elastic(WorldState& world, Body& body, const BodySnapshot& befo
 /// turns in its linearized system, but the step lets the body turn by its momentum alone.
 void leave_deforming_velocities(WorldState& world, const Body& body) {
   if (world.material_of(body).element_model != ElementModel::green_strain) return;
-  const std::optional<Pivot> pivot = body.supported() ? pivot_of(world, body) : std::nullopt;
-  if (body.supported() && !pivot) return;
-  const RigidMotion motion = motion_of(world, body);
-  const Vec3 spin = pivot ? turning_of(world, body, *pivot).spin : motion.angular_velocity;
-  const Vec3 place = pivot ? pivot->place : motion.center, velocity = pivot ? Vec3(Vec3::Zero()) : motion.velocity;
+  const std::optional<FreeMotion> motion = free_motion_of(world, body);
+  if (!motion) return;
   SubstepStart& start = world.scratch.substep_start;
-  for (NodeId node : body.nodes)
-    start.solved_velocities[node] -= velocity + spin.cross(world.nodes.positions[node] - place);
-  for (EdgeId edge : body.edges) start.solved_edge_velocities[edge] -= spin.cross(world.edges.offsets[edge]);
+  for (NodeId node : body.nodes) start.solved_velocities[node] -= motion->velocity_at(world.nodes.positions[node]);
+  for (EdgeId edge : body.edges) start.solved_edge_velocities[edge] -= motion->spin.cross(world.edges.offsets[edge]);
 }
 
 bool all_finite(const std::vector<Vec3>& values, const auto& ids) {

@@ -70,7 +70,7 @@ LeastFactor min_factor(const WorldState& world, const Body& body, double least) 
 /// other at its place at rest.
 Placement frame_of(const WorldState& world, const Body& body) {
   if (!body.supported()) return placement_of(world, body.nodes);
-  const auto pivot = pivot_of(body.system->supports(), world.nodes.constraints, world.nodes.positions);
+  const auto pivot = pivot_of(world, body);
   if (!pivot) return {};
   Placement placement = placement_of(world, body.nodes);
   placement.rest_center += placement.turn.transpose() * (pivot->place - placement.center);
