@@ -41,7 +41,8 @@ TEST_F(EditorTest, WorkThatLastsShowsADialogThatCancelsIt) {
   editor_.open(path);
   insist();
   const auto begins = [&] {
-    return value("work/stage") == "Building bodies" || value("work/stage") == "Meshing body 1 of 1";
+    const std::string stage = value("work/stage");
+    return stage == "Building bodies" || stage == "Meshing body 1 of 1" || stage == "Checking the surface";
   };
   for (int i = 0; i < 600 && begins(); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
