@@ -13,8 +13,6 @@
 namespace griffith {
 namespace {
 
-/// Contacts that converge slowly become stiffer, down to this share of their first softness.
-constexpr double kStiffest = 1e-3;
 /// Share of the tolerance that Newton's method may leave.
 constexpr double kNewtonFraction = 0.3;
 
@@ -38,13 +36,13 @@ class ContactSolver {
       u_.col(i) = contact.free_velocity;
       impulses_.col(i) = contact.impulse;
       lifts_[i] = contact.friction * contact.free_velocity.tail<2>().norm();
-      softness_.push_back(softness_of(deformable, rigid, contact));
+      const ContactSoftness softness = softness_of(deformable, rigid, contact);
+      softness_.push_back(softness.first);
+      least_softness_.push_back(softness.least);
       to_change_ = std::max(to_change_, contact.target_velocity - contact.free_velocity[0]);
     }
     violations_.assign(contacts.size(), std::numeric_limits<double>::infinity());
     outer_change_ = to_change_;
-    least_softness_ = softness_;
-    for (double& softness : least_softness_) softness *= kStiffest;
   }
 
   ContactSolveReport solve() {
@@ -91,7 +89,7 @@ class ContactSolver {
 
   /// Takes over the impulses found; returns how many contacts do not meet their law yet.
   int next_round() {
-    constexpr double kProgress = 0.25, kStiffening = 0.1;
+    constexpr double kProgress = 0.25, kStiffening = 0.3;
     report_.unconverged = 0;
     outer_change_ = 0;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {

@@ -38,9 +38,10 @@ double whole_compliance(const WholeMotion& whole, const WeightedRows& point) {
 
 }  // namespace
 
-double softness_of(std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid,
-                   const FrictionContact& contact) {
-  constexpr double kOfElements = 0.3, kOfMasses = 1e-2, kOfWhole = 1e-9;
+ContactSoftness softness_of(std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid,
+                            const FrictionContact& contact) {
+  constexpr double kOfElements = 0.3, kOfMasses = 1e-2, kFirstOfWhole = 1e-4, kLastOfWhole = 1e-9;
+  constexpr double kStiffest = 1e-3;  // of what contacts begin with that converge quickly
   double of_elements = 0, of_masses = 0, of_whole = 0;
   for (const ContactSide* side : {&contact.a, &contact.b}) {
     if (side->body < 0) continue;
@@ -52,8 +53,9 @@ double softness_of(std::span<const DeformableInertia> deformable, std::span<cons
       if (body.matrix) of_whole += whole_compliance(body.whole, side->point);
     }
   }
-  const double softness = kOfElements * of_elements + kOfMasses * of_masses + kOfWhole * of_whole;
-  return softness > 0 ? softness : 1;  // nothing that could move
+  const double local = kOfElements * of_elements + kOfMasses * of_masses;
+  if (local + of_whole <= 0) return {};  // nothing could move
+  return {local + kFirstOfWhole * of_whole, kStiffest * (local + kLastOfWhole * of_whole)};
 }
 
 }  // namespace griffith

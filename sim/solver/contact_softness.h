@@ -6,10 +6,16 @@
 
 namespace griffith {
 
-/// Softness r of a contact [1/kg]: that of the elements that touch, or a small share of what masses alone have. With
-/// more, rounds converge slowly; with less, Newton's method does where contacts go from sticking to sliding. Elements
-/// of a stiff chip resist a long step 10⁹ times as much as its mass does, too much for the precision of numbers.
-double softness_of(std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid,
-                   const FrictionContact& contact);
+/// Softness r of a contact [1/kg] in the rounds of a solve: that of the first, and the least that later ones may take.
+/// With more, rounds converge slowly; with less, Newton's method does where contacts go from sticking to sliding.
+struct ContactSoftness {
+  double first = 1, least = 1;
+};
+
+/// Softness of the elements that touch, or a small share of what masses alone have. Elements of a stiff chip resist a
+/// long step 10⁹ times as much as its mass does. There the first rounds find which contacts carry, with a share of the
+/// compliance of the whole chip, and the last ones how much each does.
+ContactSoftness softness_of(std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid,
+                            const FrictionContact& contact);
 
 }  // namespace griffith
