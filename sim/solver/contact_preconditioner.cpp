@@ -10,13 +10,47 @@
 namespace griffith {
 namespace {
 
-using Triplets = std::vector<Eigen::Triplet<double>>;
+/// Columns of the 3×3 blocks of each row of a symmetric matrix.
+using Pattern = std::vector<std::vector<int>>;
 
-void add_block(const Eigen::MatrixXd& block, int row, int column, Triplets& triplets) {
-  for (Eigen::Index j = 0; j < block.cols(); ++j)
-    for (Eigen::Index i = 0; i < block.rows(); ++i)
-      if (row + i >= column + j)
-        triplets.emplace_back(row + static_cast<int>(i), column + static_cast<int>(j), block(i, j));
+/// Adds all blocks that `rows` rows from `row` on share with `columns` columns from `column` on.
+void add_blocks(int row, int rows, int column, int columns, Pattern& pattern) {
+  for (int i = row; i < row + rows; ++i)
+    for (int j = column; j < column + columns; ++j) {
+      pattern[i].push_back(j);
+      pattern[j].push_back(i);
+    }
+}
+
+/// Returns zeros of a pattern.
+BlockSparseMatrix zeros_of(Pattern pattern) {
+  BlockSparseMatrix matrix;
+  for (std::vector<int>& columns : pattern) {
+    sort_unique(columns);
+    matrix.columns.insert(matrix.columns.end(), columns.begin(), columns.end());
+    matrix.row_starts.push_back(static_cast<int>(matrix.columns.size()));
+  }
+  matrix.blocks.assign(matrix.columns.size(), Mat3::Zero());
+  return matrix;
+}
+
+/// Adds the lower triangle of a symmetric matrix of 3×3 blocks, and its mirror image, from a row on.
+void add_symmetric(const Eigen::SparseMatrix<double>& lower, int first, BlockSparseMatrix& matrix) {
+  for (int column = 0; column < lower.outerSize(); ++column)
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(lower, column); entry; ++entry) {
+      const int row = static_cast<int>(entry.row());
+      if (row < column) continue;
+      matrix.blocks[matrix.slot(first + row / 3, first + column / 3)](row % 3, column % 3) += entry.value();
+      if (row > column)
+        matrix.blocks[matrix.slot(first + column / 3, first + row / 3)](column % 3, row % 3) += entry.value();
+    }
+}
+
+/// Adds a symmetric matrix from a row on.
+void add_symmetric(const Eigen::MatrixXd& block, int first, BlockSparseMatrix& matrix) {
+  for (int i = 0; 3 * i < block.rows(); ++i)
+    for (int j = 0; 3 * j < block.cols(); ++j)
+      matrix.blocks[matrix.slot(first + i, first + j)] += block.block<3, 3>(3 * i, 3 * j);
 }
 
 /// Collects the rows that contacts touch, per deformable body.
@@ -56,8 +90,9 @@ ContactPreconditioner::ContactPreconditioner(std::span<const DeformableInertia> 
   number_unknowns();
   build_jacobian(contacts);
   build_pattern();
+  add_inertia();
   find_slots();
-  factors_.analyzePattern(matrix_);
+  plan_ = std::make_shared<const EliminationPlan>(plan_elimination(matrix_));
 }
 
 void ContactPreconditioner::reduce_coarse_spaces() {
@@ -121,71 +156,89 @@ void ContactPreconditioner::build_jacobian(std::span<const FrictionContact> cont
 }
 
 void ContactPreconditioner::build_pattern() {
-  Triplets triplets;
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    const BodyUnknowns& body = bodies_[i];
+  Pattern pattern(unknowns_ / 3);
+  for (int row = 0; row < unknowns_ / 3; ++row) pattern[row].push_back(row);
+  for (const BodyUnknowns& body : bodies_) {
+    const int first = body.first_touched / 3, first_aggregate = body.first_aggregate / 3;
     if (body.inverse) {
-      add_block(body.inverse->stiffness(), body.first_touched, body.first_touched, triplets);
-      if (deformable_[i].whole.exists())
-        add_block(Eigen::MatrixXd::Identity(6, 6), body.first_aggregate, body.first_aggregate, triplets);
-      continue;
+      const int touched = body.inverse->rows() / 3, whole = body.inverse->size() / 3 - touched;
+      add_blocks(first, touched, first, touched, pattern);
+      add_blocks(first_aggregate, whole, first_aggregate, whole, pattern);
     }
-    for (const int row : body.touched)
-      add_block(inverse_diagonal(deformable_[i], row).inverse(), body.row_unknown(row), body.row_unknown(row),
-                triplets);
     if (!body.reduction) continue;
     const Eigen::SparseMatrix<double>& coarse = body.reduction->matrix();
     for (int column = 0; column < coarse.outerSize(); ++column)
       for (Eigen::SparseMatrix<double>::InnerIterator entry(coarse, column); entry; ++entry)
-        if (entry.row() >= column)
-          triplets.emplace_back(body.first_aggregate + static_cast<int>(entry.row()), body.first_aggregate + column,
-                                entry.value());
+        add_blocks(first_aggregate + static_cast<int>(entry.row()) / 3, 1, first_aggregate + column / 3, 1, pattern);
   }
-  for (std::size_t i = 0; i < rigid_.size(); ++i) {
-    const int first = first_rigid_ + 6 * static_cast<int>(i);
-    add_block(rigid_[i].mass * Mat3::Identity(), first, first, triplets);
-    add_block(rigid_[i].inertia, first + 3, first + 3, triplets);
-  }
+  for (int row = first_rigid_ / 3; row < unknowns_ / 3; row += 2) add_blocks(row, 2, row, 2, pattern);
   for (int contact = 0; contact < jacobian_.contacts(); ++contact)
     for (const auto* p = jacobian_.begin(contact); p != jacobian_.end(contact); ++p)
-      for (const auto* q = jacobian_.begin(contact); q != jacobian_.end(contact); ++q)
-        if (p->offset >= q->offset)
-          add_block(Eigen::MatrixXd::Zero(p->width, q->width), p->offset, q->offset, triplets);
-  matrix_.resize(unknowns_, unknowns_);
-  matrix_.setFromTriplets(triplets.begin(), triplets.end());
-  inertia_values_ = matrix_.coeffs();
+      for (const auto* q = jacobian_.begin(contact); q <= p; ++q)
+        add_blocks(p->offset / 3, p->width / 3, q->offset / 3, q->width / 3, pattern);
+  matrix_ = zeros_of(std::move(pattern));
 }
 
-/// Entries of a block's column lie next to each other, since all of its rows are in the pattern.
+void ContactPreconditioner::add_inertia() {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const BodyUnknowns& body = bodies_[i];
+    if (body.inverse) {
+      add_symmetric(body.inverse->stiffness(), body.first_touched / 3, matrix_);
+      if (deformable_[i].whole.exists())
+        add_symmetric(Eigen::MatrixXd::Identity(6, 6), body.first_aggregate / 3, matrix_);
+      continue;
+    }
+    for (const int row : body.touched)
+      add_symmetric(Eigen::MatrixXd(inverse_diagonal(deformable_[i], row).inverse()), body.row_unknown(row) / 3,
+                    matrix_);
+    if (body.reduction) add_symmetric(body.reduction->matrix(), body.first_aggregate / 3, matrix_);
+  }
+  for (std::size_t i = 0; i < rigid_.size(); ++i) {
+    const int first = first_rigid_ / 3 + 2 * static_cast<int>(i);
+    add_symmetric(Eigen::MatrixXd(rigid_[i].mass * Mat3::Identity()), first, matrix_);
+    add_symmetric(Eigen::MatrixXd(rigid_[i].inertia), first + 1, matrix_);
+  }
+  inertia_ = matrix_.blocks;
+}
+
 void ContactPreconditioner::find_slots() {
-  const int* const starts = matrix_.outerIndexPtr();
-  const int* const rows = matrix_.innerIndexPtr();
   for (int contact = 0; contact < jacobian_.contacts(); ++contact)
     for (const auto* p = jacobian_.begin(contact); p != jacobian_.end(contact); ++p)
-      for (const auto* q = jacobian_.begin(contact); q != jacobian_.end(contact); ++q) {
-        if (p->offset < q->offset) continue;
-        for (int column = q->offset; column < q->offset + q->width; ++column)
-          slots_.push_back(static_cast<int>(
-              std::lower_bound(rows + starts[column], rows + starts[column + 1], std::max(p->offset, column)) - rows));
-      }
+      for (const auto* q = jacobian_.begin(contact); q <= p; ++q)
+        for (int i = p->offset / 3; i < (p->offset + p->width) / 3; ++i)
+          for (int j = q->offset / 3; j < (q->offset + q->width) / 3; ++j) {
+            slots_.push_back(matrix_.slot(i, j));
+            if (p != q) slots_.push_back(matrix_.slot(j, i));
+          }
 }
 
 bool ContactPreconditioner::factor(const std::vector<Mat3>& stiffness) {
-  double* const values = matrix_.valuePtr();
-  std::copy_n(inertia_values_.data(), inertia_values_.size(), values);
+  matrix_.blocks = inertia_;
   const int* slot = slots_.data();
   for (int contact = 0; contact < jacobian_.contacts(); ++contact)
-    for (const auto* p = jacobian_.begin(contact); p != jacobian_.end(contact); ++p)
-      for (const auto* q = jacobian_.begin(contact); q != jacobian_.end(contact); ++q) {
-        if (p->offset < q->offset) continue;
-        const Eigen::Matrix<double, 6, 6> product = p->values.transpose() * (stiffness[contact] * q->values);
-        for (int column = 0; column < q->width; ++column) {
-          double* value = values + *slot++;
-          for (int row = p == q ? column : 0; row < p->width; ++row) *value++ += product(row, column);
-        }
-      }
-  factors_.factorize(matrix_);
-  return factors_.info() == Eigen::Success;
+    for (const auto* p = jacobian_.begin(contact); p != jacobian_.end(contact); ++p) {
+      const Eigen::Matrix<double, 6, 3> stiff = p->values.transpose() * stiffness[contact];
+      for (const auto* q = jacobian_.begin(contact); q <= p; ++q)
+        for (int i = 0; i < p->width; i += 3)
+          for (int j = 0; j < q->width; j += 3) {
+            const Mat3 product = stiff.middleRows<3>(i) * q->values.middleCols<3>(j);
+            matrix_.blocks[*slot++] += product;
+            if (p != q) matrix_.blocks[*slot++] += product.transpose();
+          }
+    }
+  factors_ = BlockCholesky::factor(plan_, matrix_);
+  return factors_ != nullptr;
+}
+
+Eigen::VectorXd ContactPreconditioner::solve(const Eigen::VectorXd& reduced) const {
+  std::vector<double> x(reduced.size());
+  const auto row = [&](std::size_t i) { return Eigen::Map<Vec3>(x.data() + std::size_t{3} * plan_->places[i]); };
+  for (std::size_t i = 0; i < plan_->places.size(); ++i) row(i) = reduced.segment<3>(3 * i);
+  factors_->solve(x);
+  factors_->solve_transposed(x);
+  Eigen::VectorXd solved(reduced.size());
+  for (std::size_t i = 0; i < plan_->places.size(); ++i) solved.segment<3>(3 * i) = row(i);
+  return solved;
 }
 
 namespace {
@@ -229,7 +282,7 @@ void ContactPreconditioner::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) 
     reduced.segment(body.first_aggregate, 6 * body.reduction->kept()) = body.reduction->restrict(coarse[i]);
   }
   reduced.tail(unknowns_ - first_rigid_) = r.tail(r.size() - rigid_offset_);
-  const Eigen::VectorXd solved = factors_.solve(reduced);
+  const Eigen::VectorXd solved = solve(reduced);
 
   z.resize(r.size());
   for (std::size_t i = 0; i < bodies_.size(); ++i) {

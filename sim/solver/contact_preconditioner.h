@@ -1,10 +1,11 @@
 #pragma once
 
-#include <Eigen/SparseCholesky>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "sim/solver/block_cholesky.h"
 #include "sim/solver/coarse_reduction.h"
 #include "sim/solver/contact_jacobian.h"
 #include "sim/solver/contact_problem.h"
@@ -50,17 +51,20 @@ class ContactPreconditioner {
   void build_jacobian(std::span<const FrictionContact> contacts);
   void add_side(const ContactSide& side, const Mat3& axes);
   void build_pattern();
+  void add_inertia();
   void find_slots();
+  Eigen::VectorXd solve(const Eigen::VectorXd& reduced) const;
 
   std::span<const DeformableInertia> deformable_;
   std::span<const RigidInertia> rigid_;
   std::vector<BodyUnknowns> bodies_;
   int first_rigid_ = 0, rigid_offset_ = 0, unknowns_ = 0;
-  ContactJacobian jacobian_;  // J Π
-  Eigen::SparseMatrix<double> matrix_;
-  Eigen::VectorXd inertia_values_;  // of matrix_ without contacts
-  std::vector<int> slots_;          // of matrix_: per contact, pair of blocks and column
-  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::AMDOrdering<int>> factors_;
+  ContactJacobian jacobian_;   // J Π
+  BlockSparseMatrix matrix_;   // of the unknowns, three a row
+  std::vector<Mat3> inertia_;  // blocks of matrix_ without contacts
+  std::vector<int> slots_;     // of matrix_: per contact and pair of its 3×3 blocks
+  std::shared_ptr<const EliminationPlan> plan_;
+  std::shared_ptr<const BlockCholesky> factors_;
 };
 
 }  // namespace griffith

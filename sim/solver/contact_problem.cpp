@@ -114,7 +114,7 @@ class ContactSolver {
     constexpr double kOfRound = 0.1;  // of what the last round changed: the next one changes as much again
     const double inner = std::max(kNewtonFraction * negligible_speed(), kOfRound * outer_change_);
     for (int step = 0; step < tolerance_.max_newton_steps; ++step) {
-      linearize();
+      if (!linearize()) return Minimum::none;
       Eigen::VectorXd residual = -a_y_;
       motion_.add_impulses(impulses_now_, residual);
       const double missing = bodies_.speed_under(residual);
@@ -127,7 +127,8 @@ class ContactSolver {
     return Minimum::none;
   }
 
-  void linearize() {
+  /// Finds the impulses and their derivatives; false where the matrix has no factors.
+  bool linearize() {
     impulses_now_.resize(3, u_.cols());
     std::vector<Mat3> stiffness(contacts_.size());
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
@@ -135,9 +136,11 @@ class ContactSolver {
       impulses_now_.col(i) = found.impulse;
       stiffness[i] = found.derivative / softness_[i];
     }
-    if (stiffness == stiffness_) return;
+    if (stiffness == stiffness_) return true;
     stiffness_ = std::move(stiffness);
-    preconditioner_.factor(stiffness_);
+    if (preconditioner_.factor(stiffness_)) return true;
+    stiffness_.clear();
+    return false;
   }
 
   /// Solves (A + Jᵀ G J) d = residual by conjugate gradients.
