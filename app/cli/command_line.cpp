@@ -143,7 +143,7 @@ int thread_count(const CLI::App& command) {
 }
 
 void add_settings(CLI::App& command, std::vector<std::string>& texts) {
-  command.add_option(kSet, texts, "Set a field of the scene, as bodies/0/material/density=2000; may be repeated")
+  command.add_option(kSet, texts, "Set a field of the scene, such as bodies/0/material/density=2000; may be repeated")
       ->allow_extra_args(false)
       ->type_name("POINTER=VALUE");
 }

@@ -63,8 +63,8 @@ struct PictureMaker::Impl {
     std::vector<ui::PictureLabel> labels;
   };
 
-  Impl(const RenderJob& wanted, const Scene& of_scene, const World& start)
-      : job(wanted),
+  Impl(const RenderJob& render_job, const Scene& of_scene, const World& start)
+      : job(render_job),
         scene(of_scene),
         display(embedded_display(start.frame(), scene)),
         scale(writing_scale(job.width, job.height)),

@@ -320,14 +320,14 @@ TEST(BodyRows, TheListAndTheMaterialSayWhatBrokeScaled) {
   for (int i = 0; i < 3; ++i) ui.frame();
   EXPECT_EQ(find_tag(ui.tags, "bodies/0/broke_scaled"), nullptr);
   EXPECT_EQ(find_tag(ui.tags, "material/broke_scaled"), nullptr);
-  EXPECT_EQ(find_tag(ui.tags, "value/Broke scaled"), nullptr);
+  EXPECT_EQ(find_tag(ui.tags, "value/Broke while scaled"), nullptr);
   for (BodyView& piece : pieces)
     if (piece.scene_body == 0) piece.broke_scaled.emplace().factor = piece.id.index() % 2 == 0 ? 0.25 : 0.5;
   for (int i = 0; i < 3; ++i) ui.frame();
   EXPECT_EQ(ui.value("bodies/0/broke_scaled"), "E/16, σ/4");
   EXPECT_EQ(find_tag(ui.tags, "bodies/1/broke_scaled"), nullptr);
   EXPECT_EQ(ui.value("material/broke_scaled"), "E/16, σ/4") << "beside the full stiffness in the slider";
-  EXPECT_NE(ui.value("value/Broke scaled").find("E/16, σ/4"), std::string::npos);
+  EXPECT_NE(ui.value("value/Broke while scaled").find("E/16, σ/4"), std::string::npos);
 }
 
 TEST(BodyRows, TheListShowsStatesAndSelectsPieces) {
