@@ -329,8 +329,8 @@ TABLES = [
           '| budget, ms | most work of a step, ms | lowest f | relieved elements | unfinished substeps | pieces | crack area, m² |',
           ceilings, ('10',), .5),
     Table('energy', 'fracture.md',
-          '| scene | integrator | put in | there | contacts | material | microsteps | time integration | '
-          'regime change, limits | scaling | unaccounted | toughness would take |', energies, ('block_stack', 'hybrid'), .1),
+          '| scene | integrator | supplied | stored | contacts | material | microsteps | time integration | '
+          'regime change, limits | scaling | unaccounted | fracture energy |', energies, ('block_stack', 'hybrid'), .1),
     Table('weak_walls', 'fracture.md', '| property | shot | weak wall | regular wall | strong wall | why |', weak_walls,
           ('tensile strength', '9 m/s'), .5),
     Table('validation', 'validation.md', '', None, text=validation),
