@@ -23,7 +23,7 @@ namespace {
 constexpr float kLargestFont = 6;
 
 /// Returns the direction from the camera's target to the eye, before there is a picture.
-Vec3 towards_eye(const Scene& scene, const std::string& camera) {
+Vec3 toward_eye(const Scene& scene, const std::string& camera) {
   for (const Camera& known : scene.cameras)
     if (camera.empty() || known.name == camera) return known.position - known.target;
   return Vec3::UnitZ();
@@ -81,7 +81,7 @@ struct PictureMaker::Impl {
   Viewpoint viewpoint(const Frame& frame, const std::string& camera, const std::string& view) const {
     Viewpoint result;
     result.view = scene.view;
-    use_named_view(result.view, view, frame, towards_eye(scene, camera));
+    use_named_view(result.view, view, frame, toward_eye(scene, camera));
     result.range.follow(frame, result.view.quantity);
     const render::DrawScene first = draw_scene(frame, result);
     result.camera = scene_camera(scene, camera, first, aspect());

@@ -98,7 +98,7 @@ void slice_rows(Panel& panel) {
   if (!panel.state.view.slice) return;
   row_label(panel, "Align");
   const std::pair<const char*, Vec3> axes[] = {
-      {"X", Vec3::UnitX()}, {"Y", Vec3::UnitY()}, {"Z", Vec3::UnitZ()}, {"Eye", panel.input.towards_eye}};
+      {"X", Vec3::UnitX()}, {"Y", Vec3::UnitY()}, {"Z", Vec3::UnitZ()}, {"Eye", panel.input.toward_eye}};
   for (const auto& [name, normal] : axes) {
     if (normal != axes[0].second) ImGui::SameLine();
     if (text_button(panel, ("view/slice_" + std::string(name)).c_str(), name)) align_slice(panel, normal);
