@@ -326,7 +326,7 @@ TEST(BodyRows, TheListAndTheMaterialSayWhatBrokeScaled) {
   for (int i = 0; i < 3; ++i) ui.frame();
   EXPECT_EQ(ui.value("bodies/0/broke_scaled"), "E/16, σ/4");
   EXPECT_EQ(find_tag(ui.tags, "bodies/1/broke_scaled"), nullptr);
-  EXPECT_EQ(ui.value("material/broke_scaled"), "E/16, σ/4") << "beside the full stiffness in the slider";
+  EXPECT_EQ(ui.value("material/broke_scaled"), "E/16, σ/4") << "next to the full stiffness in the slider";
   EXPECT_NE(ui.value("value/Broke while scaled").find("E/16, σ/4"), std::string::npos);
 }
 
