@@ -215,7 +215,7 @@ void draw_material_panel(Panel& panel) {
       {"young_modulus", "Young's modulus", "E: stiffness. Drag it, or click and type a value: 20, 20 GPa, 2*10 GPa."},
       &Material::young_modulus);
   number_row(panel, material,
-             {"poisson_ratio", "Poisson ratio",
+             {"poisson_ratio", "Poisson's ratio",
               "ν: lateral contraction over extension; below 0.5, the limit of incompressible materials."},
              &Material::poisson_ratio);
   number_row(panel, material, {"density", "Density", "ρ"}, &Material::density);
