@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Makes the tables of figures in docs/*.md again, or compares a cheap row of each with what the page says.
+"""Writes the tables of figures and the outputs of commands in docs/*.md, or compares a cheap row of each with its page.
 
-  docs/tables.py                    makes all tables but those of machine time
-  docs/tables.py impacts energy     makes some; --list names them all
-  docs/tables.py --times            makes those of machine time, on a quiet machine
-  docs/tables.py --check            compares one row of each table with its page; exit code 1 where one differs
+  docs/tables.py                    writes all tables except those of machine time
+  docs/tables.py impacts energy     writes some; --list names them all
+  docs/tables.py --times            writes those of machine time, on a quiet machine
+  docs/tables.py --check            compares one row of each table with its page; exit code 1 if one differs
 
-A page holds its tables between <!-- table NAME --> and <!-- end -->. Each table is an entry of TABLES."""
+A page has its tables between <!-- table NAME --> and <!-- end -->. Each table is an entry of TABLES."""
 import argparse
 import concurrent.futures
 import csv
@@ -29,7 +29,7 @@ SCENES = DOCS.parent / 'scenes'
 
 @dataclasses.dataclass
 class Row:
-    """A row of a table: the cells that name it, and what makes the others."""
+    """A row of a table: the cells that name it, and a function of the others."""
     key: tuple
     make: Callable[[], list]
 
@@ -40,14 +40,14 @@ class Table:
     page: str
     header: str
     rows: Callable[[], list]        # all Rows
-    checked: tuple = ()             # key of the row that --check makes
-    tolerance: float = 1e-9         # of its figures: the same program gives the same bits, another one the same means
-    is_time: bool = False           # of a machine: made with --times or by name, never checked
-    text: Callable[[bool], str] = None  # instead of rows: makes the whole text, or (True) lines that have to be in it
+    checked: tuple = ()             # key of the row that --check computes
+    tolerance: float = 1e-9         # relative, of its figures: another build gives the same means
+    is_time: bool = False           # of a machine: written with --times or by name, never checked
+    text: Callable[[bool], str] = None  # instead of rows: returns the whole text, or (True) lines that must be in it
 
 
 class Program:
-    """The built programs, and a folder for what they read and write."""
+    """The built programs."""
     build = DOCS.parent / 'build/release'
 
     @classmethod
@@ -56,7 +56,7 @@ class Program:
 
     @classmethod
     def simulate(cls, scene, frames, settings=()):
-        """Runs a scene (a path or a dictionary): its statistics and the last row of its account."""
+        """Runs a scene (a path or a dictionary). Returns its statistics and the last row of its energy account."""
         with tempfile.TemporaryDirectory() as folder:
             path = scene
             if isinstance(scene, dict):
@@ -352,7 +352,7 @@ def line(cells):
 
 
 def made(table):
-    """The whole table as Markdown; rows side by side, but for times."""
+    """Returns the whole table as Markdown. Rows run in parallel, except for times."""
     if table.text:
         return table.text(False)
     rows = table.rows()
@@ -362,7 +362,7 @@ def made(table):
 
 
 def parts(table):
-    """The table's page before, between and after its marks."""
+    """Returns the table's page before, between and after its marks."""
     page = (DOCS / table.page).read_text()
     begin, end = f'<!-- table {table.name} -->\n', '<!-- end -->'
     if page.count(begin) != 1:
@@ -377,7 +377,7 @@ def figures(text):
 
 
 def alike(now, said, tolerance):
-    """True if two rows hold the same figures: the smaller of two counts may also be off by a unit of the last digit."""
+    """True if two rows have the same figures, to within the tolerance and a unit of the last digit."""
     ours, theirs = figures(now), figures(said)
     unit = lambda text: .6 if '.' not in text else .06
     return len(ours) == len(theirs) and all(
@@ -389,7 +389,7 @@ def same_words(now, said):
 
 
 def check(table):
-    """Returns the difference between the page and the row that is cheap to make; empty if they agree."""
+    """Returns the difference between the page and the cheap row; empty if they agree."""
     said = parts(table)[1]
     if table.text:
         is_alike = lambda now, text: now == text or (
