@@ -416,7 +416,7 @@ def main():
     chosen = [table for table in TABLES if table.name in arguments.names] if arguments.names else [
         table for table in TABLES if table.is_time == arguments.times]
     if arguments.list:
-        return print('\n'.join(f'{table.name:12} docs/{table.page}' + (' (times)' if table.is_time else '') for table in TABLES))
+        return print('\n'.join(f'{table.name:15} docs/{table.page}' + (' (times)' if table.is_time else '') for table in TABLES))
     if arguments.check:
         differing = [text for text in (check(table) for table in chosen if not table.is_time) if text]
         return sys.exit('\n'.join(differing) + '\nMake it again: docs/tables.py NAME' if differing else 0)
