@@ -46,6 +46,16 @@ void expect_valid(const UiDriver& ui) {
     ADD_FAILURE() << problem.what();
 }
 
+TEST(ScenePanels, LabelsDoNotRepeatTheUnitOfTheNumber) {
+  Scene scene = two_walls();
+  scene.cameras = {{}};
+  UiDriver ui(scene);
+  ui.state.entries = {{EntryKind::camera, 0}};
+  open(ui, {});
+  EXPECT_NE(find_tag(ui.tags, "label/Field of view"), nullptr);
+  EXPECT_EQ(find_tag(ui.tags, "label/Field of view degrees"), nullptr);
+}
+
 TEST(ScenePanels, EveryFieldOfBodyAndSceneHasARow) {
   UiDriver ui(two_walls());
   open(ui, {"body", "scene"});
