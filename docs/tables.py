@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Makes the tables of figures in docs/*.md again, or compares a cheap row of each with what the page says.
+"""Writes the tables of figures and the outputs of commands in docs/*.md, or compares a cheap row of each with its page.
 
-  docs/tables.py                    makes all tables but those of machine time
-  docs/tables.py impacts energy     makes some; --list names them all
-  docs/tables.py --times            makes those of machine time, on a quiet machine
-  docs/tables.py --check            compares one row of each table with its page; exit code 1 where one differs
+  docs/tables.py                    writes all tables except those of machine time
+  docs/tables.py impacts energy     writes some; --list names them all
+  docs/tables.py --times            writes those of machine time, on a quiet machine
+  docs/tables.py --check            compares one row of each table with its page; exit code 1 if one differs
 
-A page holds its tables between <!-- table NAME --> and <!-- end -->. Each table is an entry of TABLES."""
+A page has its tables between <!-- table NAME --> and <!-- end -->. Each table is an entry of TABLES."""
 import argparse
 import concurrent.futures
 import csv
@@ -16,6 +16,7 @@ import math
 import os
 import pathlib
 import re
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -28,7 +29,7 @@ SCENES = DOCS.parent / 'scenes'
 
 @dataclasses.dataclass
 class Row:
-    """A row of a table: the cells that name it, and what makes the others."""
+    """A row of a table: the cells that name it, and a function of the others."""
     key: tuple
     make: Callable[[], list]
 
@@ -39,14 +40,14 @@ class Table:
     page: str
     header: str
     rows: Callable[[], list]        # all Rows
-    checked: tuple = ()             # key of the row that --check makes
-    tolerance: float = 1e-9         # of its figures: the same program gives the same bits, another one the same means
-    is_time: bool = False           # of a machine: made with --times or by name, never checked
-    text: Callable[[bool], str] = None  # instead of rows: makes the whole text, or (True) a part that has to be in it
+    checked: tuple = ()             # key of the row that --check computes
+    tolerance: float = 1e-9         # relative, of its figures: another build gives the same means
+    is_time: bool = False           # of a machine: written with --times or by name, never checked
+    text: Callable[[bool], str] = None  # instead of rows: returns the whole text, or (True) lines that must be in it
 
 
 class Program:
-    """The built programs, and a folder for what they read and write."""
+    """The built programs."""
     build = DOCS.parent / 'build/release'
 
     @classmethod
@@ -55,7 +56,7 @@ class Program:
 
     @classmethod
     def simulate(cls, scene, frames, settings=()):
-        """Runs a scene (a path or a dictionary): its statistics and the last row of its account."""
+        """Runs a scene (a path or a dictionary). Returns its statistics and the last row of its energy account."""
         with tempfile.TemporaryDirectory() as folder:
             path = scene
             if isinstance(scene, dict):
@@ -72,8 +73,8 @@ class Program:
 
 
 def run(command):
-    done = subprocess.run(command, capture_output=True, text=True)
-    if done.returncode != 0:
+    done = subprocess.run(command, capture_output=True, text=True, cwd=SCENES.parent)
+    if done.returncode != 0 and 'find' not in command[1:2]:
         raise RuntimeError(' '.join(command) + '\n' + done.stderr.strip()[-500:])
     return done.stdout
 
@@ -207,6 +208,80 @@ def validation(is_check):
     return run([Program.path('validation')] + (['BarInTension'] if is_check else [])).strip()
 
 
+# ---- output of commands, as code
+
+def griffith(arguments):
+    """Returns the command as a reader types it, and its output without the path of the program."""
+    output = run([Program.path('griffith'), *shlex.split(arguments)])
+    return f'$ griffith {arguments}', output.replace(Program.path('griffith'), 'griffith')
+
+
+def as_code(lines):
+    return '\n'.join('    ' + text if text else '' for text in lines)
+
+
+def explanation(is_check):
+    with tempfile.TemporaryDirectory() as folder:
+        arguments = 'render scenes/brick_wall.json --frame 28 --view candidate_plane+element_forces --node 161 -o '
+        _, output = griffith(arguments + folder + '/why.png')
+    return as_code(output.splitlines() if is_check else [f'$ griffith {arguments}why.png', *output.splitlines()])
+
+
+@dataclasses.dataclass
+class Search:
+    """A run of `griffith find`, of whose table a page shows the rows at the ends and at changes."""
+    scene: str      # with the options before the parameter
+    parameter: str
+    values: str     # its range or list; empty: the search widens from the value of the scene
+    rest: str       # options that follow
+    checked: str    # values whose rows --check makes
+
+    def run(self, values):
+        assignment = self.parameter + ('=' + values if values else '')
+        return griffith(f'find {self.scene} --parameter {assignment} {self.rest}')
+
+    def __call__(self, is_check):
+        if is_check:
+            return as_code(self.run(self.checked)[1].splitlines()[:1 + len(self.checked.split(','))])
+        command, output = self.run(self.values)
+        table, _, rest = output.partition('\n\n')
+        short = [text for text in rest.splitlines() if text.strip() and len(text) < 100]
+        return as_code([*wrapped(command), *shortened(table.splitlines()), '', *short[:4]])
+
+
+def wrapped(command):
+    """Returns the lines of a command, broken before the options that do not fit."""
+    lines = ['']
+    for part in re.split(r' (?=--)', command):
+        if len(lines[-1] + part) > 116:
+            lines[-1] += ' \\'
+            lines.append('   ')
+        lines[-1] += (' ' if lines[-1] else '') + part
+    return lines
+
+
+def shortened(table):
+    """Returns heading, first and last row, and the rows at changes of yes and no; the others become one line of dots."""
+    heading, *rows = table
+    answers = [re.findall(r'\b(?:yes|no)\b', row) for row in rows]
+    changes = [i for i in range(1, len(rows)) if answers[i] != answers[i - 1]]
+    if not any(answers):
+        changes = range(1, len(rows))
+    kept = sorted({0, len(rows) - 1, *changes, *(i - 1 for i in changes)})
+    lines = [heading]
+    for before, i in zip([-1, *kept], kept):
+        lines += (['…'] if i > before + 1 else []) + [rows[i]]
+    return lines
+
+
+breaking_speed = Search('scenes/glass_pane.json --frames 30', 'projectiles/0/speed', '', '--outcome "pieces > 1"', '1.5625,400')
+probabilities = Search('scenes/glass_pane.json --frames 30', 'projectiles/0/speed', '1,2,4,8',
+                       '--outcome "pieces > 1" --set \'bodies/0/strength_scatter={"weibull_modulus": 7}\' --seeds 20', '1')
+window = Search('scenes/wall_small.json --frames 60', 'bodies/0/material/tensile_strength', '1e4:1e6',
+                '--condition "projectiles/0/speed=14: pieces == 1" --condition "projectiles/0/speed=40: pieces in 8:12"',
+                '10000,1e+06')
+
+
 # ---- times of a machine
 
 def bench(scene, frames, settings=(), repeats=2):
@@ -254,14 +329,18 @@ TABLES = [
           '| budget, ms | most work of a step, ms | lowest f | relieved elements | unfinished substeps | pieces | crack area, m² |',
           ceilings, ('10',), .5),
     Table('energy', 'fracture.md',
-          '| scene | integrator | put in | there | contacts | material | microsteps | time integration | '
-          'regime change, limits | scaling | unaccounted | toughness would take |', energies, ('block_stack', 'hybrid'), .1),
+          '| scene | integrator | supplied | stored | contacts | material | microsteps | time integration | '
+          'regime change, limits | scaling | unaccounted | fracture energy |', energies, ('block_stack', 'hybrid'), .1),
     Table('weak_walls', 'fracture.md', '| property | shot | weak wall | regular wall | strong wall | why |', weak_walls,
           ('tensile strength', '9 m/s'), .5),
     Table('validation', 'validation.md', '', None, text=validation),
+    Table('explanation', 'tutorial.md', '', None, tolerance=.1, text=explanation),
+    Table('breaking_speed', 'sweeps.md', '', None, tolerance=.3, text=breaking_speed),
+    Table('probabilities', 'sweeps.md', '', None, tolerance=.3, text=probabilities),
+    Table('window', 'sweeps.md', '', None, tolerance=.3, text=window),
     Table('swaying', 'performance.md',
-          '| tetrahedra | median ms | ns a tetrahedron (median) | iterations, most | '
-          'two threads, ms of the clock, mean (of one) |', swaying, is_time=True),
+          '| tetrahedra | median ms | ns per tetrahedron (median) | most iterations | '
+          'two threads, wall-clock ms, mean (of one) |', swaying, is_time=True),
     Table('scene_times', 'performance.md',
           '| scene | tetrahedra | pieces at the end | median | 99 % | longest | mean of contact, elasticity, explicit |',
           scene_times, is_time=True),
@@ -273,7 +352,7 @@ def line(cells):
 
 
 def made(table):
-    """The whole table as Markdown; rows side by side, but for times."""
+    """Returns the whole table as Markdown. Rows run in parallel, except for times."""
     if table.text:
         return table.text(False)
     rows = table.rows()
@@ -283,7 +362,7 @@ def made(table):
 
 
 def parts(table):
-    """The table's page before, between and after its marks."""
+    """Returns the table's page before, between and after its marks."""
     page = (DOCS / table.page).read_text()
     begin, end = f'<!-- table {table.name} -->\n', '<!-- end -->'
     if page.count(begin) != 1:
@@ -298,18 +377,25 @@ def figures(text):
 
 
 def alike(now, said, tolerance):
-    """True if two rows hold the same figures: the smaller of two counts may also be off by a unit of the last digit."""
+    """True if two rows have the same figures, to within the tolerance and a unit of the last digit."""
     ours, theirs = figures(now), figures(said)
     unit = lambda text: .6 if '.' not in text else .06
     return len(ours) == len(theirs) and all(
         abs(a - b) <= tolerance * max(abs(a), abs(b)) + unit(now) for a, b in zip(ours, theirs))
 
 
+def same_words(now, said):
+    return re.sub(r'[\d.,]+', ' ', now).split() == re.sub(r'[\d.,]+', ' ', said).split()
+
+
 def check(table):
-    """Returns the difference between the page and the row that is cheap to make; empty if they agree."""
+    """Returns the difference between the page and the cheap row; empty if they agree."""
     said = parts(table)[1]
     if table.text:
-        return '' if table.text(True) in said else f'{table.name}: docs/{table.page} says otherwise'
+        is_alike = lambda now, text: now == text or (
+            table.tolerance > 1e-6 and same_words(now, text) and alike(now, text, table.tolerance))
+        missing = [now for now in table.text(True).splitlines() if not any(is_alike(now, text) for text in said.splitlines())]
+        return f'{table.name}: docs/{table.page} lacks\n' + '\n'.join(missing) if missing else ''
     row = next(row for row in table.rows() if row.key == table.checked)
     now = line([*row.key, *row.make()])
     found = [text for text in said.splitlines() if text.startswith(line(row.key)[:-1])]
@@ -330,7 +416,7 @@ def main():
     chosen = [table for table in TABLES if table.name in arguments.names] if arguments.names else [
         table for table in TABLES if table.is_time == arguments.times]
     if arguments.list:
-        return print('\n'.join(f'{table.name:12} docs/{table.page}' + (' (times)' if table.is_time else '') for table in TABLES))
+        return print('\n'.join(f'{table.name:15} docs/{table.page}' + (' (times)' if table.is_time else '') for table in TABLES))
     if arguments.check:
         differing = [text for text in (check(table) for table in chosen if not table.is_time) if text]
         return sys.exit('\n'.join(differing) + '\nMake it again: docs/tables.py NAME' if differing else 0)

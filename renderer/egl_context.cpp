@@ -126,10 +126,10 @@ void open_display(EglState& state, const DisplayAttempt& attempt) {
 
 void create_context(EglState& state) {
   if (!eglBindAPI(EGL_OPENGL_API)) throw RenderError(egl_error("eglBindAPI(EGL_OPENGL_API)"));
-  const EGLint wanted[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+  const EGLint attributes[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
   EGLConfig config = nullptr;
   EGLint count = 0;
-  if (!eglChooseConfig(state.display, wanted, &config, 1, &count)) throw RenderError(egl_error("eglChooseConfig"));
+  if (!eglChooseConfig(state.display, attributes, &config, 1, &count)) throw RenderError(egl_error("eglChooseConfig"));
   if (count == 0) throw RenderError("it has no configuration for OpenGL");
   const EGLint version[] = {
       EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,

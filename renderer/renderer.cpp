@@ -72,8 +72,8 @@ Effects effects_of(Quality quality) {
 int shadow_texels(const Focus& focus, const Camera& camera, const RenderOptions& options) {
   if (options.quality != Quality::draft) return ShadowMap::kMostTexels;
   const float pixel = height_at_target(camera) / static_cast<float>(options.height);  // [m]
-  const float wanted = std::min(2 * focus.radius / pixel, static_cast<float>(ShadowMap::kMostTexels));
-  return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(wanted))));
+  const float texels = std::min(2 * focus.radius / pixel, static_cast<float>(ShadowMap::kMostTexels));
+  return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(texels))));
 }
 
 ViewBlock picture_view(const Camera& camera, const Eigen::AlignedBox3f& box, const Target& target,

@@ -12,14 +12,14 @@ namespace {
 
 constexpr GLenum kColorAttachment = GL_COLOR_ATTACHMENT0, kIdAttachment = GL_COLOR_ATTACHMENT1;
 
-int supported_samples(int wanted) {
+int supported_samples(int requested) {
   GLint maximum = 1;
   for (const GLenum limit : {GL_MAX_SAMPLES, GL_MAX_INTEGER_SAMPLES}) {
     GLint samples = 1;
     glGetIntegerv(limit, &samples);
     maximum = limit == GL_MAX_SAMPLES ? samples : std::min(maximum, samples);
   }
-  return std::clamp(wanted, 1, std::max(maximum, 1));
+  return std::clamp(requested, 1, std::max(maximum, 1));
 }
 
 void make_texture(const Texture& texture, GLint format, GLenum layout, GLenum type, int width, int height,

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Checks pages: links lead to files and headings that exist, and the programs in README.md are those of examples/."""
+"""Checks pages: links lead to files and headings that exist, files, functions and tests that pages name exist, and the
+programs in README.md are those of examples/."""
 import pathlib
 import re
 import sys
@@ -7,6 +8,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "scenes/README.md", *sorted((ROOT / "docs").glob("*.md"))]
 PROGRAMS = ["examples/hello/shot.cpp", "examples/python/shot.py"]
+FOLDERS = "app bindings examples include renderer sim tests ui docs scenes".split()
 MAX_README_LINES = 120
 
 
@@ -29,6 +31,32 @@ def broken_links(page):
             yield f"{page.relative_to(ROOT)}: {link} has no such heading"
 
 
+def known_names():
+    """Returns the paths of all files as one text, and all words of the sources."""
+    files, words = "", set()
+    for folder in FOLDERS:
+        for file in sorted((ROOT / folder).rglob("*")):
+            files += f"/{file.relative_to(ROOT)}\n"
+            if file.suffix in {".h", ".cpp", ".py", ".cs", ".txt"}:
+                words.update(re.findall(r"\w+", file.read_text()))
+    return files, words
+
+
+def missing_names(page, files, words):
+    """Yields the files, functions and tests in `code` of a page that do not exist."""
+    for code in set(re.findall(r"`([^`\n]+)`", page.read_text())):
+        if re.fullmatch(r"[a-z][\w/]*\.(h|cpp|py)", code):
+            found = f"/{code}\n" in files
+        elif re.fullmatch(r"\w+\(\)", code):
+            found = code[:-2] in words
+        elif re.fullmatch(r"[A-Z][a-zA-Z]+\.[A-Z][a-zA-Z]{15,}", code):
+            found = code.split(".")[1] in words or code.endswith("NativeArray")
+        else:
+            continue
+        if not found and "NAME" not in code:
+            yield f"{page.relative_to(ROOT)}: {code} does not exist"
+
+
 def missing_programs():
     """Yields the programs that README.md does not contain as they are."""
     readme = (ROOT / "README.md").read_text()
@@ -40,6 +68,8 @@ def missing_programs():
 
 def main():
     problems = [problem for page in PAGES for problem in broken_links(page)] + list(missing_programs())
+    files, words = known_names()
+    problems += [problem for page in PAGES for problem in missing_names(page, files, words)]
     if len((ROOT / "README.md").read_text().splitlines()) > MAX_README_LINES:
         problems.append(f"README.md: more than {MAX_README_LINES} lines")
     print("\n".join(problems))

@@ -19,9 +19,8 @@ std::vector<int> welded(const std::vector<Vec3>& points, double tolerance) {
   std::map<Cell, std::vector<int>> cells;
   const auto point_near = [&](int i) {
     const Cell center = cell_of(points[i]);
-    for (int neighbour = 0; neighbour < 27; ++neighbour) {
-      const Cell cell = {center[0] + neighbour % 3 - 1, center[1] + neighbour / 3 % 3 - 1,
-                         center[2] + neighbour / 9 - 1};
+    for (int neighbor = 0; neighbor < 27; ++neighbor) {
+      const Cell cell = {center[0] + neighbor % 3 - 1, center[1] + neighbor / 3 % 3 - 1, center[2] + neighbor / 9 - 1};
       const auto found = cells.find(cell);
       if (found == cells.end()) continue;
       for (const int other : found->second)

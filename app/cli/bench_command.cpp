@@ -44,10 +44,12 @@ Command add_bench(CLI::App& program) {
   command->add_option("--frames", definition.frames, "Time steps of each run; default: 120")
       ->check(CLI::Range(1, kMaxFrames))
       ->type_name("N");
-  command->add_option("--repeats", definition.repeats, "Runs of each kind, of which the minimum counts; default: 3")
+  command
+      ->add_option("--repeats", definition.repeats,
+                   "Repeats of each measurement, of which the minimum counts; default: 3")
       ->check(CLI::Range(1, 1000))
       ->type_name("N");
-  command->add_option("--thread-counts", definition.threads, "Numbers of threads to compare; default: 1,2")
+  command->add_option("--thread-counts", definition.threads, "Thread counts to compare; default: 1,2")
       ->delimiter(',')
       ->check(CLI::Range(1, 1024))
       ->type_name("LIST");

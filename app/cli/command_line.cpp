@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "app/cli/commands.h"
+#include "app/cli/help_formatter.h"
 #include "app/editor/window.h"
 #include "app/output/output.h"
 #include "app/shared/scene_files.h"
@@ -104,6 +105,7 @@ void refuse_options_before(const Command& command, const CLI::App& program) {
 ExitCode run_arguments(int argc, const char* const* argv) {
   CLI::App program("Griffith, a workbench for brittle fracture: opens SCENE in the editor, or runs a command.",
                    "griffith");
+  program.formatter(std::make_shared<HelpFormatter>());
   program.set_version_flag("--version", "griffith " GRIFFITH_VERSION);
   program.require_subcommand(0, 1);
   program.footer(
@@ -143,7 +145,7 @@ int thread_count(const CLI::App& command) {
 }
 
 void add_settings(CLI::App& command, std::vector<std::string>& texts) {
-  command.add_option(kSet, texts, "Set a field of the scene, as bodies/0/material/density=2000; may be repeated")
+  command.add_option(kSet, texts, "Set a field of the scene, such as bodies/0/material/density=2000; may be repeated")
       ->allow_extra_args(false)
       ->type_name("POINTER=VALUE");
 }

@@ -47,7 +47,8 @@ void add_search(CLI::App& command, FindDefinition& find) {
   command
       .add_option(
           "--outcome,--condition", find.conditions,
-          "Condition that must hold, as \"pieces > 1\" or \"projectiles/0/speed=3: pieces in 15:25\"; may be repeated. "
+          "Condition that must hold, such as \"pieces > 1\" or \"projectiles/0/speed=3: pieces in 15:25\"; may be "
+          "repeated. "
           "griffith sweep --help lists the outcomes: cracks, pieces, crack_area and every quantity of simulate --stats")
       ->required()
       ->allow_extra_args(false)
@@ -81,7 +82,7 @@ Command add_find(CLI::App& program) {
   command
       ->add_option(
           "--vary", options->definition.vary,
-          "Try each value with all of these, as projectiles/0/position/0=-0.1:0.1:5, and report the probability")
+          "Try each value with all of these, such as projectiles/0/position/0=-0.1:0.1:5, and report the probability")
       ->allow_extra_args(false)
       ->type_name("POINTER=VALUES");
   command

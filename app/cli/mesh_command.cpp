@@ -107,7 +107,7 @@ void add_meshing(CLI::App& command, MeshingOptions& meshing) {
       ->type_name("M");
   command
       .add_option("--method", meshing.method,
-                  "automatic (the default), tetgen (keeps the surface's triangles) or volumetric (takes any surface)")
+                  "automatic (the default), tetgen (keeps the surface's triangles) or volumetric (accepts any surface)")
       ->transform(CLI::CheckedTransformer(methods).description(""))
       ->type_name("NAME");
   command

@@ -40,19 +40,19 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-/// Returns the jobs with or of the named pictures; all if `wanted` is empty. Throws InputError for unknown names.
-std::vector<RenderJob> wanted_jobs(const std::vector<RenderJob>& jobs, const std::vector<std::string>& wanted) {
-  if (wanted.empty()) return jobs;
+/// Returns the jobs with or of the named pictures; all if `selected` is empty. Throws InputError for unknown names.
+std::vector<RenderJob> selected_jobs(const std::vector<RenderJob>& jobs, const std::vector<std::string>& selected) {
+  if (selected.empty()) return jobs;
   std::set<std::string> known;
   std::vector<RenderJob> result;
   for (const RenderJob& job : jobs) {
     std::vector<std::string> names = picture_names(job);
     names.push_back(job.name);
     known.insert(names.begin(), names.end());
-    if (std::ranges::any_of(names, [&](const std::string& name) { return contains(wanted, name); }))
+    if (std::ranges::any_of(names, [&](const std::string& name) { return contains(selected, name); }))
       result.push_back(job);
   }
-  for (const std::string& name : wanted)
+  for (const std::string& name : selected)
     if (!known.contains(name))
       throw InputError(name, "is neither a job nor a picture of the suite or shard", "its jobs are in suite.json");
   return result;
@@ -86,11 +86,11 @@ int print_results(const std::filesystem::path& suite, const std::vector<PictureR
   return failed;
 }
 
-/// Returns the pictures that are named or belong to named jobs; all if `wanted` is empty.
-std::set<std::string> wanted_pictures(const std::vector<RenderJob>& jobs, const std::vector<std::string>& wanted) {
-  std::set<std::string> pictures(wanted.begin(), wanted.end());
+/// Returns the pictures that are named or belong to named jobs; all if `selected` is empty.
+std::set<std::string> selected_pictures(const std::vector<RenderJob>& jobs, const std::vector<std::string>& selected) {
+  std::set<std::string> pictures(selected.begin(), selected.end());
   for (const RenderJob& job : jobs)
-    if (wanted.empty() || contains(wanted, job.name))
+    if (selected.empty() || contains(selected, job.name))
       for (const std::string& name : picture_names(job)) pictures.insert(name);
   return pictures;
 }
@@ -140,7 +140,7 @@ void write_reports(const RegressOptions& options, const std::vector<PictureResul
   print("report: %s\n", options.report.c_str());
 }
 
-void tell_unused(const SuiteRun& run, const std::vector<PictureResult>& results) {
+void report_unused(const SuiteRun& run, const std::vector<PictureResult>& results) {
   for (const PictureResult& result : results) {
     if (result.status == PictureStatus::error) continue;
     for (const std::string& name : unused_goldens(run.suite, drawn_by(result), suite_jobs(run.suite, {})))
@@ -160,8 +160,9 @@ ExitCode regress(RegressOptions options) {
   const auto start = std::chrono::steady_clock::now();
   if (!options.init.empty()) make_suite(options.suite, options.init);
   if (!options.init.empty()) options.accept.emplace();
-  const std::vector<std::string>& wanted = options.accept && !options.accept->empty() ? *options.accept : options.only;
-  const std::vector<RenderJob> jobs = wanted_jobs(suite_jobs(options.suite, options.shard), wanted);
+  const std::vector<std::string>& selected =
+      options.accept && !options.accept->empty() ? *options.accept : options.only;
+  const std::vector<RenderJob> jobs = selected_jobs(suite_jobs(options.suite, options.shard), selected);
   if (options.report.empty()) options.report = options.suite / "report.html";
   check_regress_outputs(options);
   const TemporaryFolder drawn;
@@ -169,12 +170,12 @@ ExitCode regress(RegressOptions options) {
                      options.time_limit, options.egl_device};
   std::vector<PictureResult> results = compare_suite(run, jobs, [&drawn] { return drawn.termination_requested(); });
   if (drawn.termination_requested()) return kFailed;
-  const std::set<std::string> pictures = wanted_pictures(jobs, wanted);
+  const std::set<std::string> pictures = selected_pictures(jobs, selected);
   std::erase_if(results, [&](const PictureResult& result) { return !pictures.contains(result.name); });
   if (options.accept) return accept_results(run, results);
   const int failed = print_results(options.suite, results);
   write_reports(options, results, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  if (options.only.empty()) tell_unused(run, results);
+  if (options.only.empty()) report_unused(run, results);
   return failed == 0 ? kDone : kFailed;
 }
 

@@ -123,7 +123,7 @@ Command add_simulate(CLI::App& program) {
   const auto options = std::make_shared<SimulateOptions>();
   command->add_option("SCENE", options->scene, "Scene file")->required()->type_name("FILE");
   add_settings(*command, options->set);
-  command->add_option("--frames", options->frames, "Time steps to make")
+  command->add_option("--frames", options->frames, "Number of time steps")
       ->required()
       ->check(CLI::Range(0, kMaxFrames))
       ->type_name("N");

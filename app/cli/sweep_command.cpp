@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/cli/commands.h"
+#include "app/cli/help_formatter.h"
 #include "app/output/output.h"
 #include "app/study/outcome_table.h"
 #include "app/study/sweep_folder.h"
@@ -89,7 +90,7 @@ std::string outcome_help() {
   std::string text = "Outcomes:\n";
   for (const OutcomeKind& kind : outcome_kinds()) {
     const std::string unit = kind.unit.empty() || kind.unit == "-" ? "" : " [" + std::string(kind.unit) + "]";
-    text.append("  ").append(kind.key).append(unit).append(": ").append(kind.meaning).append("\n");
+    text += "  " + wrapped(kind.key + unit + ": " + kind.meaning, 118, "      ") + "\n";
   }
   return text;
 }
@@ -156,10 +157,10 @@ Command add_sweep(CLI::App& program) {
   command->footer(
       "Examples:\n"
       "  griffith sweep scenes/glass_pane.json --frames 60 --vary projectiles/0/speed=5:40:8 -o speeds\n"
-      "  griffith sweep scenes/glass_pane.json --frames 60 --vary projectiles/0/speed=5:40:4 "
-      "--vary bodies/0/material/tensile_strength=1e6:1e7:5log --picture-frame 60 -o strengths\n"
-      "  griffith sweep scenes/wall_small.json --frames 90 --vary projectiles/0/speed=5:40 "
-      "--vary bodies/0/material/density=1500:2500 --latin-hypercube 50 -o cube --list-jobs jobs.txt\n\n" +
+      "  griffith sweep scenes/glass_pane.json --frames 60 --vary projectiles/0/speed=5:40:4 \\\n"
+      "    --vary bodies/0/material/tensile_strength=1e6:1e7:5log --picture-frame 60 -o strengths\n"
+      "  griffith sweep scenes/wall_small.json --frames 90 --vary projectiles/0/speed=5:40 \\\n"
+      "    --vary bodies/0/material/density=1500:2500 --latin-hypercube 50 -o cube --list-jobs jobs.txt\n\n" +
       outcome_help());
   return {command, [options] {
             run_sweep(*options);

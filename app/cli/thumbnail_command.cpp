@@ -59,7 +59,7 @@ Command add_thumbnail(CLI::App& program) {
       command->add_option("-o,--output", options->output, "PNG file to write, for one scene")->type_name("FILE");
   command
       ->add_flag("--ship", options->ship,
-                 "Write the shipped thumbnails: into the folder thumbnails beside each scene, if missing or outdated")
+                 "Write the shipped thumbnails: into the folder thumbnails next to each scene, if missing or outdated")
       ->excludes(output);
   add_threads(*command);
   command->footer(

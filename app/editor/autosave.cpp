@@ -51,7 +51,7 @@ fs::path origin_of(const fs::path& copy) {
   return mark == name.size() ? fs::path() : copy.parent_path() / name.substr(1, name.size() - mark - 2);
 }
 
-/// Returns the link in `states` to a copy beside a scene.
+/// Returns the link in `states` to a copy next to a scene.
 fs::path link_to(const fs::path& copy, const fs::path& states) { return states / mark_in(copy.filename().string()); }
 
 /// True if it is a folder with the name and the scene of a copy, and none of these is a link.
@@ -71,7 +71,7 @@ void remove_copy(const LockedFolder& copy, const fs::path& states) {
   fs::remove(copy.path(), ignored);
 }
 
-/// Adds the copies beside a scene. Links are not followed: the author of the scene may have put them there.
+/// Adds the copies next to a scene. Links are not followed: the author of the scene may have put them there.
 void collect_beside(const fs::path& file, std::vector<fs::path>& copies) {
   const fs::path scene = fs::absolute(file);
   for (const fs::path& path : files_in(scene.parent_path()))

@@ -34,13 +34,13 @@ struct UnsavedEdits {
   std::filesystem::path file;  ///< file of the edited scene; empty if it had none yet
 };
 
-/// Keeps a copy of unsaved edits: in the folder `.NAME.edits-XXXXXX` beside the scene's file, or in the user's state
+/// Keeps a copy of unsaved edits: in the folder `.NAME.edits-XXXXXX` next to the scene's file, or in the user's state
 /// folder for a scene without a file. Locks separate the copies of running instances. A folder may come from elsewhere
 /// together with a scene. Links in it are therefore not followed, the name of a copy alone determines its scene, and
 /// only files of this program are removed.
 class Autosave {
  public:
-  /// `states`: the user's state folder, which also holds links to all copies beside scenes. Empty: there is none.
+  /// `states`: the user's state folder, which also holds links to all copies next to scenes. Empty: there is none.
   explicit Autosave(std::filesystem::path states) : states_(std::move(states)) {}
 
   /// Replaces the copy of the scene with the file `file` (absolute, or empty). Throws InputError if that fails.

@@ -10,7 +10,7 @@
 namespace griffith::app {
 
 /// Returns the reason to stop before a step from `before` to `after`; empty if no breakpoint was reached. `scene_body`,
-/// `selection`: those chosen in the editor.
+/// `selection`: those of the editor.
 std::optional<ui::Stop> met_breakpoint(const ui::Breakpoints& breakpoints, const Frame& before, const Frame& after,
                                        int scene_body, const ui::Selection& selection);
 

@@ -201,7 +201,7 @@ void Editor::draw_panels(const ui::Fonts& fonts) {
   set_bounds(input);
   input.camera = view_camera(picture_camera());
   input.aim = aim();
-  input.towards_eye = (camera_.position - camera_.target).cast<double>();
+  input.toward_eye = (camera_.position - camera_.target).cast<double>();
   input.scene_files = scene_files_;
   follow_browser();
   if (gallery_) input.scene_cards = gallery_->cards();

@@ -116,7 +116,7 @@ class Editor {
   /// Sets the folder of macros, which also receives new ones.
   void use_macros(std::filesystem::path folder);
   /// Actions of scripts besides commands: setting fields of the scene, as it would be saved, or of the projectile tool;
-  /// choosing entries by full name; moving the camera. All throw InputError, which names `where`.
+  /// selecting entries by full name; moving the camera. All throw InputError, which names `where`.
   void set_values(std::span<const SceneSetting> settings, const std::string& where);
   void set_shot(std::span<const SceneSetting> settings, const std::string& where);
   void choose(const std::vector<std::string>& names, const std::string& where);
@@ -181,10 +181,10 @@ class Editor {
   void set_camera();
   void duplicate_entries();
   void remove_entries();
-  /// Moves the chosen entries in their lists, up (-1) or down (1).
+  /// Moves the selected entries in their lists, up (-1) or down (1).
   void move_entries(int way);
   void begin_renaming();
-  /// Hides the chosen bodies, or shows them if all are hidden.
+  /// Hides the selected bodies, or shows them if all are hidden.
   void toggle_hidden();
   /// Returns the hidden bodies by index in the scene from which the world was built.
   HiddenBodies hidden_bodies() const;
@@ -378,12 +378,12 @@ class Editor {
   double made_since_advance_ = 0;         ///< time simulated since the last call of advance() [s]
   bool laid_out_ = false;                 ///< the size of the picture is known
   bool wants_to_quit_ = false, screenshot_wanted_ = false;
-  std::optional<Script> wanted_script_;
+  std::optional<Script> requested_script_;
   std::filesystem::path macro_folder_;
   std::vector<std::filesystem::path> macros_;  ///< macros in that folder, sorted
   std::optional<MacroRecorder> recorder_;      ///< while one is being recorded
   std::string recorded_macro_;                 ///< text of the last macro
-  std::optional<PictureRequest> wanted_picture_;
+  std::optional<PictureRequest> requested_picture_;
 };
 
 }  // namespace griffith::app

@@ -23,7 +23,7 @@ void Editor::new_scene() {
 void Editor::add_body(const std::string& label, BodyDescription body) {
   history_.change(label, [&](Scene& scene) { scene.bodies.push_back(std::move(body)); });
   history_.finish();
-  ui::choose_entries(state_, history_.scene(),
+  ui::select_entries(state_, history_.scene(),
                      {{ui::EntryKind::body, static_cast<int>(history_.scene().bodies.size()) - 1}});
 }
 

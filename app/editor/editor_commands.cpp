@@ -129,7 +129,7 @@ void Editor::take_world(WorldLoader::Loaded loaded) {
   }
   history_.change("Add body", [&](Scene& scene) { scene.bodies = loaded.scene.bodies; });
   history_.finish();
-  ui::choose_entries(state_, history_.scene(),
+  ui::select_entries(state_, history_.scene(),
                      {{ui::EntryKind::body, static_cast<int>(loaded.scene.bodies.size()) - 1}});
   restart();
   report_surface();
@@ -179,7 +179,7 @@ void Editor::select_node(NodeId node) {
 void Editor::select_most_loaded() {
   const NodeId node = most_loaded_node(world().frame());
   if (node.valid()) return select_node(node);
-  log(ui::LogLevel::warning, std::string("There is no most loaded node: ") + ui::kNothingStrained, ui::LogSpan::state);
+  log(ui::LogLevel::warning, std::string("No node carries a load: ") + ui::kNothingStrained, ui::LogSpan::state);
 }
 
 void Editor::pick(const Vec2& cursor) {

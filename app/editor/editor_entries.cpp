@@ -37,7 +37,7 @@ void Editor::add_entry(const ui::Command& command) {
     }
   });
   history_.finish();
-  ui::choose_entries(state_, history_.scene(), {added});
+  ui::select_entries(state_, history_.scene(), {added});
 }
 
 void Editor::add_projectile() {
@@ -46,7 +46,7 @@ void Editor::add_projectile() {
   history_.change("Add Projectile", [&](Scene& scene) { scene.projectiles.push_back(shot); });
   history_.finish();
   const int last = static_cast<int>(history_.scene().projectiles.size()) - 1;
-  ui::choose_entries(state_, history_.scene(), {{EntryKind::projectile, last}});
+  ui::select_entries(state_, history_.scene(), {{EntryKind::projectile, last}});
 }
 
 void Editor::add_camera() {
@@ -55,7 +55,7 @@ void Editor::add_camera() {
   history_.change("Add camera " + camera.name, [&](Scene& scene) { scene.cameras.push_back(camera); });
   history_.finish();
   const int last = static_cast<int>(history_.scene().cameras.size()) - 1;
-  ui::choose_entries(state_, history_.scene(), {{EntryKind::camera, last}});
+  ui::select_entries(state_, history_.scene(), {{EntryKind::camera, last}});
 }
 
 void Editor::look_through() {
@@ -79,7 +79,7 @@ void Editor::duplicate_entries() {
   state_.running = false;
   std::vector<SceneEntry> copies;
   history_.change("Duplicate", [&](Scene& scene) {
-    for (const SceneEntry& entry : ui::chosen_entries(state_, scene)) {
+    for (const SceneEntry& entry : ui::selected_entries(state_, scene)) {
       if (entry.kind == EntryKind::body) {
         scene.bodies.push_back(copy_of_body(scene, entry.index, frame()));
         copies.push_back({EntryKind::body, static_cast<int>(scene.bodies.size()) - 1});
@@ -89,16 +89,16 @@ void Editor::duplicate_entries() {
     }
   });
   history_.finish();
-  ui::choose_entries(state_, history_.scene(), std::move(copies));
+  ui::select_entries(state_, history_.scene(), std::move(copies));
 }
 
 void Editor::remove_entries() {
   state_.running = false;
-  const std::vector<SceneEntry> chosen = ui::chosen_entries(state_, history_.scene());
+  const std::vector<SceneEntry> chosen = ui::selected_entries(state_, history_.scene());
   if (chosen.empty()) return;
   history_.change("Delete", [&](Scene& scene) { ui::remove_entries(scene, chosen); });
   history_.finish();
-  // The next entry of the kind is chosen; if none is left, nothing, so that Delete never continues with another kind.
+  // The next entry of the kind is selected; if none is left, nothing, so that Delete never continues with another kind.
   SceneEntry next = *std::ranges::min_element(chosen);
   next.kind = chosen.back().kind;
   while (next.index > 0 && !ui::has_entry(history_.scene(), next)) --next.index;
@@ -111,9 +111,9 @@ void Editor::move_entries(int way) {
   state_.running = false;
   std::vector<SceneEntry> moved;
   history_.change(way < 0 ? "Move up" : "Move down",
-                  [&](Scene& scene) { moved = ui::move_entries(scene, ui::chosen_entries(state_, scene), way); });
+                  [&](Scene& scene) { moved = ui::move_entries(scene, ui::selected_entries(state_, scene), way); });
   history_.finish();
-  ui::choose_entries(state_, history_.scene(), std::move(moved));
+  ui::select_entries(state_, history_.scene(), std::move(moved));
 }
 
 void Editor::begin_renaming() {
@@ -127,7 +127,7 @@ void Editor::begin_renaming() {
 }
 
 void Editor::toggle_hidden() {
-  const std::vector<std::string> bodies = ui::chosen_bodies(state_, history_.scene());
+  const std::vector<std::string> bodies = ui::selected_bodies(state_, history_.scene());
   const auto hidden = [&](const std::string& name) { return state_.hidden_bodies.contains(name); };
   const bool show = std::ranges::all_of(bodies, hidden);
   for (const std::string& name : bodies)

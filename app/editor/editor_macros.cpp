@@ -29,7 +29,7 @@ void Editor::list_macros() {
 MacroMoment Editor::macro_moment() const {
   MacroMoment moment{history_.scene(), state_.shot, {}, frame().step, camera_};
   moment.scene.view = state_.view;
-  for (const ui::SceneEntry& entry : ui::chosen_entries(state_, history_.scene()))
+  for (const ui::SceneEntry& entry : ui::selected_entries(state_, history_.scene()))
     moment.chosen.push_back(ui::full_name(history_.scene(), entry));
   return moment;
 }
@@ -66,7 +66,7 @@ void Editor::write_macro(const fs::path& path) {
   log(ui::LogLevel::info, "Saved the macro " + path.string());
 }
 
-std::optional<Script> Editor::take_script_request() { return std::exchange(wanted_script_, std::nullopt); }
+std::optional<Script> Editor::take_script_request() { return std::exchange(requested_script_, std::nullopt); }
 
 void Editor::set_values(std::span<const SceneSetting> settings, const std::string& where) {
   Scene shown = history_.scene();
@@ -92,7 +92,7 @@ void Editor::choose(const std::vector<std::string>& names, const std::string& wh
       throw InputError(where, "the scene has no \"" + name + "\"", "use a name in the outliner");
     chosen.push_back(*found);
   }
-  ui::choose_entries(state_, history_.scene(), std::move(chosen));
+  ui::select_entries(state_, history_.scene(), std::move(chosen));
 }
 
 void Editor::look_from(const Vec3& eye, const Vec3& target) {

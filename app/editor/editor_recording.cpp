@@ -73,7 +73,7 @@ void Editor::save_run(const ui::Command& command) {
   check_replaceable(command.path);
   switch (command.id) {
     case ui::CommandId::save_report:
-      wanted_picture_ = {ui::SavedKind::bug_report, command.path};
+      requested_picture_ = {ui::SavedKind::bug_report, command.path};
       return;
     case ui::CommandId::save_plots:
       return write_plots(command.path);
@@ -95,7 +95,7 @@ void Editor::write_recorded_run(const fs::path& path) {
 void Editor::write_plots(const fs::path& path) {
   if (path.extension() == ".png") {
     state_.plots.shown = state_.plots.for_picture = true;
-    wanted_picture_ = {ui::SavedKind::plots, path};
+    requested_picture_ = {ui::SavedKind::plots, path};
     return;
   }
   const ui::RunCurves curves = plotted_curves();
@@ -114,7 +114,7 @@ ui::RunCurves Editor::plotted_curves() const {
   return curves;
 }
 
-std::optional<PictureRequest> Editor::take_picture_request() { return std::exchange(wanted_picture_, std::nullopt); }
+std::optional<PictureRequest> Editor::take_picture_request() { return std::exchange(requested_picture_, std::nullopt); }
 
 void Editor::save_window_picture(const PictureRequest& request, const render::Image& window,
                                  const std::string& graphics) {

@@ -23,7 +23,7 @@ SurfaceShape shape_of(const ui::SurfaceRequest& request) {
   return shape;
 }
 
-/// Returns a body on the ground beside the others.
+/// Returns a body on the ground next to the others.
 BodyDescription standing_body(const SurfaceShape& shape, const Scene& scene, double free_x, const Monitor& monitor) {
   const Eigen::AlignedBox3d box = bounds(read_surface(shape.path, shape.scale, monitor));
   BodyDescription body;

@@ -14,8 +14,8 @@ class FrameSchedule {
   /// Records an event or a message.
   void wake() { settling_ = kFramesToSettle; }
   void drew() { settling_ -= settling_ > 0; }
-  /// `wanted`: seconds until something else must be drawn.
-  double seconds_to_wait(double wanted) const { return settling_ > 0 ? kDrawAtOnce : wanted; }
+  /// `until_next`: seconds until something else must be drawn.
+  double seconds_to_wait(double until_next) const { return settling_ > 0 ? kDrawAtOnce : until_next; }
 
  private:
   static constexpr int kFramesToSettle = 8;

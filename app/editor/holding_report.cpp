@@ -56,7 +56,7 @@ std::string thickness_fact(const std::optional<CriticalFactor>& factor, const Ru
 }
 
 /// Summarizes the trials.
-std::string effort(const HoldingAnswer& answer) {
+std::string trial_summary(const HoldingAnswer& answer) {
   const int runs = (answer.speed ? answer.speed->runs : 0) + (answer.thickness ? answer.thickness->runs : 0);
   return "Tried, each to within 1 %: the step " + std::to_string(answer.strength.runs) +
          " times, the run from its start " + std::to_string(runs) + " times, up to " +
@@ -72,7 +72,7 @@ ui::WorkReport holding_report(const HoldingAnswer& answer, const RunToCrack& run
   if (answer.strength.runs > 0) report.facts.push_back(strength_fact(answer.strength, run.material));
   if (answer.speed || !ended_early) report.facts.push_back(speed_fact(answer.speed, run));
   if (answer.thickness || !ended_early) report.facts.push_back(thickness_fact(answer.thickness, run));
-  report.facts.push_back(effort(answer));
+  report.facts.push_back(trial_summary(answer));
   if (answer.cancelled) report.warnings.push_back("Cancelled before the search was complete.");
   if (!answer.problem.empty()) report.warnings.push_back("The search ended early: " + answer.problem);
   return report;

@@ -11,10 +11,10 @@ namespace griffith::app {
 double free_place(const Scene& scene, const Frame& frame, double room);
 
 /// Returns a body for one of the commands add_box, add_plate, …: some decimeters large, of a typical material, on the
-/// ground beside all others.
+/// ground next to all others.
 BodyDescription new_body(ui::CommandId command, const Scene& scene, const Frame& frame);
 
-/// Returns a copy of a body of the scene beside all others, under another name.
+/// Returns a copy of a body of the scene next to all others, under another name.
 BodyDescription copy_of_body(const Scene& scene, int index, const Frame& frame);
 
 }  // namespace griffith::app

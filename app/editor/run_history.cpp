@@ -22,16 +22,16 @@ constexpr FrameNumber kFrameNumbers[] = {
     {"peak_utilization", "Highest utilization", "-", [](const Frame& frame) { return frame.report.peak_utilization; }},
     {ui::kNodeUtilization, "Utilization of the node", "-",  // known in the utilization history
      [](const Frame&) { return std::numeric_limits<double>::quiet_NaN(); }},
-    {"milliseconds", "Time taken", "ms", [](const Frame& frame) { return frame.report.milliseconds.step; }},
-    {"milliseconds.contact", "Time of contact", "ms",
+    {"milliseconds", "Step time", "ms", [](const Frame& frame) { return frame.report.milliseconds.step; }},
+    {"milliseconds.contact", "Contact time", "ms",
      [](const Frame& frame) { return frame.report.milliseconds.contact; }},
-    {"milliseconds.elasticity", "Time of elasticity", "ms",
+    {"milliseconds.elasticity", "Elasticity time", "ms",
      [](const Frame& frame) { return frame.report.milliseconds.elasticity; }},
-    {"milliseconds.shock", "Time of explicit dynamics", "ms",
+    {"milliseconds.shock", "Explicit dynamics time", "ms",
      [](const Frame& frame) { return frame.report.milliseconds.shock; }},
-    {"milliseconds.separation", "Time of separation", "ms",
+    {"milliseconds.separation", "Separation time", "ms",
      [](const Frame& frame) { return frame.report.milliseconds.separation; }},
-    {"milliseconds.fracture", "Time of fracture", "ms",
+    {"milliseconds.fracture", "Fracture time", "ms",
      [](const Frame& frame) { return frame.report.milliseconds.fracture; }},
 };
 

@@ -25,7 +25,7 @@ std::string topic_of(const Scene& scene) {
   if (!scene.projectiles.empty())
     return std::ranges::any_of(scene.bodies, held) ? "Impact on supported bodies" : "Impact on loose bodies";
   const auto loaded = [](const BodyDescription& body) { return !body.loads.empty(); };
-  return std::ranges::any_of(scene.bodies, loaded) ? "Loaded" : "Own weight";
+  return std::ranges::any_of(scene.bodies, loaded) ? "Loaded" : "Self-weight";
 }
 
 }  // namespace

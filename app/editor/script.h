@@ -43,7 +43,7 @@ struct ScriptLine {
   ui::Shortcut key;
   ui::Command command = {};
   std::vector<SceneSetting> settings = {};         ///< set, projectile: fields with their values
-  std::vector<std::string> names = {};             ///< choose: names of entries
+  std::vector<std::string> names = {};             ///< choose: names of entries to select
   Vec3 eye = Vec3::Zero(), target = Vec3::Zero();  ///< look [m]
 };
 

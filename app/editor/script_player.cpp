@@ -113,12 +113,12 @@ void ScriptPlayer::play(const ScriptLine& line, Editor& editor, ui::InputQueue& 
       editor.state().caption = ui::Caption{line.text, line.tag};
       return;
     case Verb::screenshot:
-      wanted_picture_ = line.text;
+      requested_picture_ = line.text;
   }
 }
 
 std::optional<std::filesystem::path> ScriptPlayer::take_picture_request() {
-  return std::exchange(wanted_picture_, std::nullopt);
+  return std::exchange(requested_picture_, std::nullopt);
 }
 
 }  // namespace griffith::app

@@ -35,7 +35,7 @@ class ScriptPlayer {
   bool for_reader_;
   int frames_left_ = 0;  ///< frames until the next line
   int macros_played_ = 0;
-  std::optional<std::filesystem::path> wanted_picture_;
+  std::optional<std::filesystem::path> requested_picture_;
 };
 
 }  // namespace griffith::app

@@ -197,8 +197,8 @@ void save_window(const std::filesystem::path& path, Editor& editor, const Window
 
 /// Continues the script being played, or begins the requested tour or macro. An error in a line ends it.
 void play_script(std::optional<ScriptPlayer>& player, Editor& editor, WindowInput& input) {
-  if (std::optional<Script> wanted = player ? std::nullopt : editor.take_script_request())
-    player.emplace(std::move(*wanted), true);
+  if (std::optional<Script> script = player ? std::nullopt : editor.take_script_request())
+    player.emplace(std::move(*script), true);
   if (!player) return;
   try {
     player->advance(editor, input.queue());
@@ -239,9 +239,9 @@ void begin_first_run(Editor& editor) {
 }
 
 /// Waits a limited time until there is something to draw. True if there is.
-bool wait_for_frame(FrameSchedule& schedule, double wanted) {
+bool wait_for_frame(FrameSchedule& schedule, double until_next) {
   constexpr double kInexact = 0.005;  // the wait may end early by so much [s]
-  const double seconds = schedule.seconds_to_wait(wanted), until = glfwGetTime() + std::min(seconds, kLongestWait);
+  const double seconds = schedule.seconds_to_wait(until_next), until = glfwGetTime() + std::min(seconds, kLongestWait);
   if (seconds <= kDrawAtOnce) {
     glfwPollEvents();
     return true;

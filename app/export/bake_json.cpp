@@ -32,9 +32,9 @@ std::string bake_json(const Bake& bake) {
   Json document = {{"scene", bake.scene_name},
                    {"start", bake.times.front()},
                    {"end", bake.times.back()},
-                   {"things", Json::array()},
+                   {"objects", Json::array()},
                    {"bonds", Json::array()}};
-  for (const BakedObject& object : bake.objects) document["things"].push_back(object_json(object));
+  for (const BakedObject& object : bake.objects) document["objects"].push_back(object_json(object));
   for (const BakedBond& bond : bake.bonds) document["bonds"].push_back(bond_json(bake, bond));
   return document.dump(2) + '\n';
 }

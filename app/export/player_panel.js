@@ -24,7 +24,7 @@ function made(tag, text = '', name = '') {
 /** Bonds with the neighbor's number, in order of opening. */
 function bondsOf(bake, number) {
   return bake.bonds.filter(bond => bond.a === number || bond.b === number)
-      .map(bond => ({...bond, neighbour: bond.a === number ? bond.b : bond.a}))
+      .map(bond => ({...bond, neighbor: bond.a === number ? bond.b : bond.a}))
       .sort((a, b) => (a.breakTime ?? Infinity) - (b.breakTime ?? Infinity));
 }
 
@@ -36,7 +36,7 @@ function factsOf(bake, object, bonds) {
   if (object.brokeScaled) facts.push(['Broke at', `${object.brokeScaled}: scaled for the step budget`]);
   const first = bonds.find(bond => bond.breakTime !== null);
   if (first)
-    facts.push(['Why', `its bond to ${bake.objects[first.neighbour].name} opened first, after ${quantity(first.breakTime, 's')}:` +
+    facts.push(['Why', `its bond to ${bake.objects[first.neighbor].name} opened first, after ${quantity(first.breakTime, 's')}:` +
                        ` the tension there exceeded ${quantity(first.strength, 'Pa')}`]);
   return facts;
 }
@@ -54,8 +54,8 @@ function bondTable(bake, bonds, go) {
   const table = made('table'), head = table.appendChild(made('tr'));
   for (const name of ['Bond to', 'Area', 'Strength', 'Until']) head.appendChild(made('th', name));
   for (const bond of bonds) {
-    const row = table.appendChild(made('tr')), link = made('button', bake.objects[bond.neighbour].name, 'link');
-    link.onclick = () => go(bond.neighbour);
+    const row = table.appendChild(made('tr')), link = made('button', bake.objects[bond.neighbor].name, 'link');
+    link.onclick = () => go(bond.neighbor);
     row.appendChild(made('td')).appendChild(link);
     const until = bond.breakTime === null ? 'now' : quantity(bond.breakTime, 's');
     for (const text of [quantity(bond.area, 'm²'), quantity(bond.strength, 'Pa'), until]) row.appendChild(made('td', text));

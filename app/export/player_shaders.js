@@ -21,11 +21,11 @@ uniform float selected;
 uniform vec3 eye;
 flat out int material;
 flat out float chosen;
-out vec3 world_normal, towards_eye;
+out vec3 world_normal, toward_eye;
 void main() {
   vec4 rotation, at = place(rotation);
   world_normal = turned(rotation, normal);
-  towards_eye = eye - at.xyz;
+  toward_eye = eye - at.xyz;
   material = int(style.y);
   chosen = style.x == selected ? 1.0 : 0.0;
   gl_Position = at.w > 0.0 ? camera * vec4(at.xyz, 1) : vec4(0, 0, 2, 1);
@@ -36,12 +36,12 @@ precision highp float;
 uniform highp sampler2D materials;  // two texels each: linear color and opacity, roughness
 flat in int material;
 flat in float chosen;
-in vec3 world_normal, towards_eye;
+in vec3 world_normal, toward_eye;
 out vec4 color;
 const vec3 kSun = normalize(vec3(0.5, 0.9, 0.45));
 vec3 encoded(vec3 c) { return mix(12.92 * c, 1.055 * pow(max(c, 0.0), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c)); }
 void main() {
-  vec3 v = normalize(towards_eye), n = normalize(world_normal);
+  vec3 v = normalize(toward_eye), n = normalize(world_normal);
   if (dot(n, v) < 0.0) n = -n;
   vec4 base = texelFetch(materials, ivec2(0, material), 0);
   vec3 sky = mix(vec3(0.30, 0.28, 0.26), vec3(0.62, 0.70, 0.80), 0.5 + 0.5 * n.y);

@@ -37,10 +37,10 @@ std::vector<OutcomeKind> main_outcomes() {
       {"fragments", "", "Pieces beyond the scene's own bodies", main,
        [](const Run& run) { return static_cast<double>(run.frame.fragments); }},
       {"largest_piece", "-", "Mass of the heaviest piece over the total mass", main, largest_fraction},
-      {"mass_p10", "kg", "Mass that a tenth of the pieces do not reach", main,
+      {"mass_p10", "kg", "10th percentile of the masses of pieces", main,
        [](const Run& run) { return quantile(run.masses, 0.1); }},
       {"mass_p50", "kg", "Mass of the median piece", main, [](const Run& run) { return quantile(run.masses, 0.5); }},
-      {"mass_p90", "kg", "Mass that nine tenths of the pieces do not reach", main,
+      {"mass_p90", "kg", "90th percentile of the masses of pieces", main,
        [](const Run& run) { return quantile(run.masses, 0.9); }},
       {"crack_events", "", "Nodes at which the mesh separated", main,
        [](const Run& run) { return static_cast<double>(run.frame.crack_events.size()); }},
@@ -52,7 +52,7 @@ std::vector<OutcomeKind> main_outcomes() {
        [](const Run& run) { return run.tally.breaking_time; }},
       {"peak_utilization", "-", "Highest load over resistance of any node in any step", main,
        [](const Run& run) { return run.tally.peak_utilization; }},
-      {"torn_supports", "", "Cracks at which a support came off", main,
+      {"torn_supports", "", "Cracks at which a support detached", main,
        [](const Run& run) {
          return static_cast<double>(std::ranges::count(run.frame.crack_events, true, &CrackEvent::torn_off));
        }},
@@ -85,9 +85,9 @@ std::vector<OutcomeKind> other_outcomes() {
       {"mass", "kg", "Mass of the bodies at the end", more, [](const Run& run) { return mass_of_bodies(run.frame); }},
       {"initial_mass", "kg", "Mass of the bodies before the first step", more,
        [](const Run& run) { return run.tally.initial_mass; }},
-      {"cracks", "", "As crack_events", other_name,
+      {"cracks", "", "Same as crack_events", other_name,
        [](const Run& run) { return static_cast<double>(run.frame.crack_events.size()); }},
-      {"bodies", "", "As pieces", other_name,
+      {"bodies", "", "Same as pieces", other_name,
        [](const Run& run) { return static_cast<double>(run.frame.bodies.size()); }}};
   for (int i = 0; i < 3; ++i) {
     const std::string axis(1, "xyz"[i]), component = "." + std::to_string(i);
@@ -114,11 +114,11 @@ std::vector<OutcomeKind> energy_outcomes() {
     kinds.push_back({"energy." + std::string(entry.key), "J", std::string(entry.meaning), known ? other_name : more,
                      [entry](const Run& run) { return run.frame.energy.*entry.value; }});
   }
-  kinds.push_back({"energy.unaccounted", "J", "As energy_unaccounted", other_name,
+  kinds.push_back({"energy.unaccounted", "J", "Same as energy_unaccounted", other_name,
                    [](const Run& run) { return run.frame.energy.unaccounted(); }});
   kinds.push_back({"energy.turned_over", "J", "The sum of all sources of energy", more,
                    [](const Run& run) { return run.frame.energy.turned_over(); }});
-  kinds.push_back({"energy.crack_area", "m²", "As crack_area", other_name,
+  kinds.push_back({"energy.crack_area", "m²", "Same as crack_area", other_name,
                    [](const Run& run) { return run.frame.energy.crack_area; }});
   return kinds;
 }

@@ -22,7 +22,7 @@ std::string replay_report(const Recording& recording, const Replay& replay) {
       difference->step == 0 ? "the start differs" : "step " + std::to_string(difference->step) + " differs first";
   std::string report = place + " (of " + steps_text(recording.steps()) + "), in: " + joined(difference->fields) + "\n";
   const std::string rows = version_differences(recording.versions, versions_here());
-  if (rows.empty()) return report + "Both were made by the same build on the same kind of machine.\n";
+  if (rows.empty()) return report + "Both runs were made by the same build on the same kind of machine.\n";
   return report + "Differences of the programs, first the recording's, then this one's:\n" + rows;
 }
 

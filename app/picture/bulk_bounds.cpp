@@ -55,10 +55,10 @@ Box core(std::vector<Object> objects) {
   const Vec3 middle = median_place(objects);
   std::ranges::stable_sort(objects, {},
                            [&](const Object& object) { return object.box.squaredExteriorDistance(middle); });
-  const double wanted = kFraction * total_mass(objects);
+  const double target_mass = kFraction * total_mass(objects);
   Box box;
   double sum = 0;
-  for (auto object = objects.begin(); object != objects.end() && (box.isEmpty() || sum < wanted); ++object) {
+  for (auto object = objects.begin(); object != objects.end() && (box.isEmpty() || sum < target_mass); ++object) {
     box.extend(object->box);
     sum += object->mass;
   }

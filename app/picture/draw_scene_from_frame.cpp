@@ -287,8 +287,8 @@ std::optional<QuantityValues> values_of(const Frame& frame, const ViewSettings& 
 
 /// Draws a frame. `values`: values_of() the frame.
 render::DrawScene drawn(const Frame& frame, const EmbeddedPieces& pieces, std::span<const std::array<int, 4>> orders,
-                        const DrawRequest& wanted, std::optional<QuantityValues> values) {
-  const auto& [scene, view, selection, hidden, range] = wanted;
+                        const DrawRequest& request, std::optional<QuantityValues> values) {
+  const auto& [scene, view, selection, hidden, range] = request;
   render::DrawScene result;
   const ShownMesh shown = shown_mesh(frame, view, selection, hidden);
   const TetFilter filter(shown, pieces);
@@ -312,12 +312,12 @@ render::DrawScene drawn(const Frame& frame, const EmbeddedPieces& pieces, std::s
   return result;
 }
 
-render::DrawScene drawn(const Frame& frame, const EmbeddedDisplay& display, const DrawRequest& wanted,
+render::DrawScene drawn(const Frame& frame, const EmbeddedDisplay& display, const DrawRequest& request,
                         std::optional<QuantityValues> values) {
-  if (display.shards.empty() || !shows_shards(wanted.view))
-    return drawn(frame, display.authored, display.orders, wanted, std::move(values));
+  if (display.shards.empty() || !shows_shards(request.view))
+    return drawn(frame, display.authored, display.orders, request, std::move(values));
   const FrameWithShards sharded(frame, display.shards);
-  return drawn(sharded.frame(), display.natural, display.orders, wanted, std::move(values));
+  return drawn(sharded.frame(), display.natural, display.orders, request, std::move(values));
 }
 
 }  // namespace

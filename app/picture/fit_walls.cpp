@@ -48,14 +48,14 @@ class WallFitter {
 
  private:
   std::vector<WallCorner> outline_of(const SplinterFace& face, std::span<const SplinterCorner> corners) const {
-    const std::array<TetId, 4>& neighbours = mesh_.neighbours[set_.parts[face.part].tet];
+    const std::array<TetId, 4>& neighbors = mesh_.neighbours[set_.parts[face.part].tet];
     std::vector<WallCorner> outline;
     for (std::size_t i = 0; i < corners.size(); ++i) {
       constexpr float kTolerance = 1e-5f;
       const SplinterCorner &corner = corners[i], &next = corners[(i + 1) % corners.size()];
       bool on_rim = false;
       for (int f = 0; f < 4; ++f)
-        on_rim |= !neighbours[f].valid() && corner.weights[f] < kTolerance && next.weights[f] < kTolerance;
+        on_rim |= !neighbors[f].valid() && corner.weights[f] < kTolerance && next.weights[f] < kTolerance;
       outline.push_back({corner.rest.cast<double>(), on_rim});
     }
     return outline;

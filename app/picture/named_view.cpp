@@ -34,10 +34,10 @@ bool use_style(ViewSettings& view, const std::string& name) {
   return true;
 }
 
-SlicePlane slice_through(const Frame& frame, const Vec3& towards_eye) {
+SlicePlane slice_through(const Frame& frame, const Vec3& toward_eye) {
   Eigen::AlignedBox3d box = bounds_of(frame);
   if (box.isEmpty()) box.extend(Vec3(Vec3::Zero()));
-  return ui::middle_slice(box.min(), box.max(), towards_eye);
+  return ui::middle_slice(box.min(), box.max(), toward_eye);
 }
 
 std::string all_names() {
@@ -50,7 +50,7 @@ std::string all_names() {
 
 }  // namespace
 
-void use_named_view(ViewSettings& view, const std::string& names, const Frame& frame, const Vec3& towards_eye) {
+void use_named_view(ViewSettings& view, const std::string& names, const Frame& frame, const Vec3& toward_eye) {
   bool has_quantity = false, has_layer = false;
   std::istringstream list(names);
   for (std::string name; std::getline(list, name, '+');) {
@@ -63,7 +63,7 @@ void use_named_view(ViewSettings& view, const std::string& names, const Frame& f
     } else if (name == "unlit") {
       view.shading = false;
     } else if (name == "slice") {
-      view.slice = slice_through(frame, towards_eye);
+      view.slice = slice_through(frame, toward_eye);
     } else if (!use_style(view, name)) {
       throw InputError("--view", "there is no view \"" + name + "\"", "join any of these with +: " + all_names());
     }

@@ -40,10 +40,10 @@ class Shards {
   FirstCracks centers_in(const Frame& frame, const Scene& scene) const;
   void make(const Frame& frame, const Scene& scene, const Monitor& monitor);
 
-  std::vector<std::array<TetId, 4>> neighbours_;  ///< neighbors of the first frame's tets
-  std::vector<std::array<NodeId, 4>> tets_;       ///< corners of the first frame's tets
-  FirstCracks centers_;                           ///< per scene body whose shards lie around its first crack
-  std::vector<int> radial_;                       ///< indices of these bodies
+  std::vector<std::array<TetId, 4>> neighbors_;  ///< neighbors of the first frame's tets
+  std::vector<std::array<NodeId, 4>> tets_;      ///< corners of the first frame's tets
+  FirstCracks centers_;                          ///< per scene body whose shards lie around its first crack
+  std::vector<int> radial_;                      ///< indices of these bodies
   SplinterSet set_;
   std::vector<Skin> skins_;
 };

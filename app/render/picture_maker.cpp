@@ -23,7 +23,7 @@ namespace {
 constexpr float kLargestFont = 6;
 
 /// Returns the direction from the camera's target to the eye, before there is a picture.
-Vec3 towards_eye(const Scene& scene, const std::string& camera) {
+Vec3 toward_eye(const Scene& scene, const std::string& camera) {
   for (const Camera& known : scene.cameras)
     if (camera.empty() || known.name == camera) return known.position - known.target;
   return Vec3::UnitZ();
@@ -63,8 +63,8 @@ struct PictureMaker::Impl {
     std::vector<ui::PictureLabel> labels;
   };
 
-  Impl(const RenderJob& wanted, const Scene& of_scene, const World& start)
-      : job(wanted),
+  Impl(const RenderJob& render_job, const Scene& of_scene, const World& start)
+      : job(render_job),
         scene(of_scene),
         display(embedded_display(start.frame(), scene)),
         scale(writing_scale(job.width, job.height)),
@@ -81,7 +81,7 @@ struct PictureMaker::Impl {
   Viewpoint viewpoint(const Frame& frame, const std::string& camera, const std::string& view) const {
     Viewpoint result;
     result.view = scene.view;
-    use_named_view(result.view, view, frame, towards_eye(scene, camera));
+    use_named_view(result.view, view, frame, toward_eye(scene, camera));
     result.range.follow(frame, result.view.quantity);
     const render::DrawScene first = draw_scene(frame, result);
     result.camera = scene_camera(scene, camera, first, aspect());

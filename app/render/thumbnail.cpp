@@ -17,7 +17,7 @@ Scene as_seen(Scene scene) {
 }
 
 /// Steps until something can be seen.
-void step_to_telling(Painter& painter, Analysis analysis) {
+void step_until_visible(Painter& painter, Analysis analysis) {
   if (analysis == Analysis::equilibrium) return painter.step();
   for (int steps = 0, after_crack = 0; steps < kMostSteps && after_crack < kStepsAfterCrack; ++steps) {
     painter.step();
@@ -34,7 +34,7 @@ render::Image thumbnail(const Scene& scene, const std::filesystem::path& file) {
   job.height = kThumbnailHeight;
   job.legend = false;
   const std::unique_ptr<Painter> painter = make_plain_painter(job, as_seen(scene));
-  step_to_telling(*painter, scene.analysis);
+  step_until_visible(*painter, scene.analysis);
   return painter->paint("", "").image;
 }
 

@@ -41,8 +41,8 @@ struct Estimate {
     return in_cells(4 * kPi / 3 * std::pow(sphere.radius, 3), Vec3::Constant(sphere.element_size), sphere.pattern);
   }
   double operator()(const PlateWithHoleShape& plate) const {
-    constexpr double kTowardsHole = 3;  // factor on the number of cells, which shrink toward the hole
-    return kTowardsHole * in_cells(plate.size.prod(), swept(plate.element_size), plate.pattern);
+    constexpr double kTowardHole = 3;  // factor on the number of cells, which shrink toward the hole
+    return kTowardHole * in_cells(plate.size.prod(), swept(plate.element_size), plate.pattern);
   }
   double operator()(const NotchedBeamShape& beam) const {
     return in_cells(beam.size.prod(), beam.element_size, beam.pattern);

@@ -5,8 +5,8 @@
 
 namespace griffith::app {
 
-/// Returns the scene files to offer: those beside `current` if it is a file, then those of a folder named scenes in the
-/// working folder or above the program. Both are sorted, without duplicates.
+/// Returns the scene files to offer: those next to `current` if it is a file, then those of a folder named scenes in
+/// the working folder or above the program. Both are sorted, without duplicates.
 std::vector<std::filesystem::path> scene_files(const std::filesystem::path& current);
 
 /// Returns the scene files in a folder, sorted.

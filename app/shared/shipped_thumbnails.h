@@ -11,7 +11,7 @@ namespace griffith::app {
 /// Size of thumbnails [pixels].
 inline constexpr int kThumbnailWidth = 480, kThumbnailHeight = 270;
 
-/// Returns the file of a scene's shipped thumbnail: in a folder beside it, named by the scene's file and a hash of its
+/// Returns the file of a scene's shipped thumbnail: in a folder next to it, named by the scene's file and a hash of its
 /// content, as "thumbnails/arch.0123456789abcdef.jpg". A scene edited since has none. Throws InputError if the scene
 /// cannot be read.
 std::filesystem::path shipped_thumbnail_file(const std::filesystem::path& scene);
@@ -23,7 +23,7 @@ std::optional<render::Image> shipped_thumbnail(const std::filesystem::path& scen
 /// if it cannot be written.
 void ship_thumbnail(const std::filesystem::path& scene, const render::Image& picture);
 
-/// Returns the thumbnails beside the scenes of a folder that belong to none of them: to scenes that were edited or
+/// Returns the thumbnails next to the scenes of a folder that belong to none of them: to scenes that were edited or
 /// removed. Throws InputError if a scene cannot be read.
 std::vector<std::filesystem::path> stale_thumbnails(const std::filesystem::path& folder);
 

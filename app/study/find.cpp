@@ -69,7 +69,7 @@ void read_what_is_sought(Find& find) {
     const double present = present_value(find);
     if (present <= 0 || takes_whole_numbers(find, present, present))
       throw InputError(kParameter, text + " is " + number_text(present) + ", from which no range can be found",
-                       "give one, as " + text + "=0:10");
+                       "give one, such as " + text + "=0:10");
     find.values = {present};
     find.search.geometric = true;
     return;

@@ -29,7 +29,7 @@ void check_parameters(const std::vector<Parameter>& parameters, int samples) {
     any_sampled |= is_sampled(parameter);
     if (is_sampled(parameter) && samples == 0)
       throw InputError("--vary " + parameter.name, "has no count",
-                       "add one, as 1:10:5, or --latin-hypercube N to take N points of all such ranges");
+                       "add one, such as 1:10:5, or --latin-hypercube N to take N points of all such ranges");
     for (const std::string& pointer : parameter.pointers) {
       for (const std::string& earlier : pointers)
         if (hides(pointer, earlier) && pointer != earlier)
@@ -39,7 +39,8 @@ void check_parameters(const std::vector<Parameter>& parameters, int samples) {
     }
   }
   if (samples > 0 && !any_sampled)
-    throw InputError("--latin-hypercube", "has no range to sample", "give one without a count, as 1:10 or 1:10:log");
+    throw InputError("--latin-hypercube", "has no range to sample",
+                     "give one without a count, such as 1:10 or 1:10:log");
 }
 
 /// Repeats each of the `runs` with each of the values.

@@ -22,8 +22,8 @@ app::RenderJob job_of(int width, int height, const char* camera, const char* vie
 
 /// A context of its own, made current for each call, with its renderer.
 struct griffith_painter {
-  griffith_painter(const World& world, const app::RenderJob& wanted)
-      : job(wanted), pictures(job, world.scene(), world) {}
+  griffith_painter(const World& world, const app::RenderJob& render_job)
+      : job(render_job), pictures(job, world.scene(), world) {}
 
   render::EglContext context;
   app::RenderJob job;

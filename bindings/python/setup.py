@@ -11,7 +11,7 @@ PROGRAMS = [BUILD / "bindings" / "c" / "libgriffith.so.1", BUILD / "app" / "grif
 
 
 class BuildWithLibrary(build_py):
-    """Builds the package and copies the library beside its modules."""
+    """Builds the package and copies the library next to its modules."""
 
     def run(self):
         super().run()

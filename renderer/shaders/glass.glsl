@@ -14,7 +14,7 @@ vec3 mirrored_light(vec3 direction) {
   return sky_light(direction) + 6.0 * pow(max(dot(direction, light.xyz), 0.0), 300.0);
 }
 
-// Distances count from the opaque object behind the faces: transparent parts beyond, beside or within it add up to
+// Distances count from the opaque object behind the faces: transparent parts beyond, next to or within it add up to
 // nothing, whichever of their faces are hidden. A face that touches the object behind it reflects nothing, since the
 // order of the two is arbitrary. `color`: of light after a distance `clear_depth` [m] in the material; `covered`: a
 // point in the part of the pixel covered by the face.

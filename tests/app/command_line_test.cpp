@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,16 @@ TEST(CommandLine, HelpAndVersionSucceed) {
   const Outcome version = run_program("--version");
   EXPECT_EQ(version.code, 0);
   EXPECT_THAT(version.output, ::testing::MatchesRegex("griffith [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+TEST(CommandLine, HelpFitsIntoATerminal) {
+  for (const char* command : {"", "bench", "bundle", "check", "export", "find", "mesh", "regress", "render", "replay",
+                              "script", "simulate", "sweep", "thumbnail"}) {
+    const Outcome outcome = run_program(command + std::string(" --help"));
+    EXPECT_THAT(outcome.output, Not(HasSubstr("Excludes:"))) << command;
+    std::istringstream lines(outcome.output);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 124u) << command << ": " << line;
+  }
 }
 
 TEST(CommandLine, BadUsageIsExitCode2WithAMessage) {

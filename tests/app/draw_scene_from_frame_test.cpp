@@ -19,12 +19,12 @@ namespace {
 class CutFrame {
  public:
   explicit CutFrame(const Frame& whole)
-      : neighbours_(whole.elements.neighbours.begin(), whole.elements.neighbours.end()), frame_(whole) {
+      : neighbors_(whole.elements.neighbours.begin(), whole.elements.neighbours.end()), frame_(whole) {
     std::size_t face = 0;
-    while (!neighbours_[tet_][face].valid())
+    while (!neighbors_[tet_][face].valid())
       if (++face == 4) face = 0, ++tet_;
-    neighbours_[tet_][face] = {};
-    frame_.elements.neighbours = neighbours_;
+    neighbors_[tet_][face] = {};
+    frame_.elements.neighbours = neighbors_;
   }
   CutFrame(const CutFrame&) = delete;
   CutFrame& operator=(const CutFrame&) = delete;
@@ -33,7 +33,7 @@ class CutFrame {
   std::int32_t tet() const { return static_cast<std::int32_t>(tet_); }
 
  private:
-  std::vector<std::array<TetId, 4>> neighbours_;
+  std::vector<std::array<TetId, 4>> neighbors_;
   std::size_t tet_ = 0;
   Frame frame_;
 };

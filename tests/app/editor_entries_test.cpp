@@ -27,7 +27,7 @@ class EditorEntries : public EditorTest {
   }
   /// Selects an entry even if the list does not show it.
   void choose(const ui::SceneEntry& entry) {
-    ui::choose_entries(editor_.state(), editor_.scene(), {entry});
+    ui::select_entries(editor_.state(), editor_.scene(), {entry});
     draw(2);
   }
   std::string text() const { return scene_to_json(editor_.scene()); }

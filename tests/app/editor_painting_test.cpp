@@ -80,7 +80,7 @@ TEST(PaintedRegion, ABrushReachesTheSideThatIsSeenOfItsBodyAlone) {
 class EditorPaintingTest : public EditorTest {
  protected:
   EditorPaintingTest() {
-    ui::choose_entries(editor_.state(), editor_.scene(), {{ui::EntryKind::support, 0}});
+    ui::select_entries(editor_.state(), editor_.scene(), {{ui::EntryKind::support, 0}});
     draw(2);
     press_key('T');
     draw(2);

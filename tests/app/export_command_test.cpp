@@ -74,8 +74,8 @@ TEST(Export, EveryFormatReportsWhatBrokeScaled) {
   for (BakedObject& object : bake.objects) object.broke_scaled.reset();
   EXPECT_EQ(usda_file(bake).find("scaleFactor"), std::string::npos);
   bake.objects[1].broke_scaled.emplace().factor = 0.25;
-  EXPECT_EQ(nlohmann::json::parse(bake_json(bake))["things"][1]["scale_factor"], 0.25);
-  EXPECT_EQ(nlohmann::json::parse(bake_json(bake))["things"][0]["scale_factor"], 1);
+  EXPECT_EQ(nlohmann::json::parse(bake_json(bake))["objects"][1]["scale_factor"], 0.25);
+  EXPECT_EQ(nlohmann::json::parse(bake_json(bake))["objects"][0]["scale_factor"], 1);
   EXPECT_NE(usda_file(bake).find("griffith:scaleFactor = 0.25"), std::string::npos);
   EXPECT_NE(html_player(bake).find("\"brokeScaled\":\"E/16, σ/4\""), std::string::npos);
   const tinygltf::Model model = read_glb(glb_file(bake));
@@ -87,11 +87,11 @@ TEST(Export, EveryFormatReportsWhatBrokeScaled) {
 TEST(BakeJson, ReportsObjectsAndBonds) {
   const Bake bake = wall_bake();
   const auto json = nlohmann::json::parse(bake_json(bake));
-  ASSERT_EQ(json["things"].size(), bake.objects.size());
+  ASSERT_EQ(json["objects"].size(), bake.objects.size());
   ASSERT_EQ(json["bonds"].size(), bake.bonds.size());
   EXPECT_EQ(json["bonds"][0]["area"], bake.bonds[0].area);
   EXPECT_EQ(json["bonds"][0]["a"], bake.objects[bake.bonds[0].a].name);
-  EXPECT_TRUE(json["things"].back()["break_time"].is_null());
+  EXPECT_TRUE(json["objects"].back()["break_time"].is_null());
 }
 
 TEST(BondCsv, HasARowABond) {

@@ -31,13 +31,13 @@ TEST_F(EditorTest, EveryCommandThatMakesNoSenseSaysWhyAndDoesNothing) {
 
 TEST_F(EditorTest, AShortcutThatMakesNoSenseSaysWhyUntilSomethingElseIsDone) {
   press_key('E', true);
-  EXPECT_EQ(value("status/message"), "Export run…: No step has been made yet.");
+  EXPECT_EQ(value("status/message"), "Export run…: No step has been simulated yet.");
   const std::size_t lines = editor_.state().log.size();
   press_key('E', true);
   EXPECT_EQ(editor_.state().log.size(), lines) << "once is enough";
-  EXPECT_EQ(value("status/message"), "Export run…: No step has been made yet.");
+  EXPECT_EQ(value("status/message"), "Export run…: No step has been simulated yet.");
   click("command/simulation.step");
-  EXPECT_THAT(value("status/message"), ::testing::Not(HasSubstr("No step has been made")));
+  EXPECT_THAT(value("status/message"), ::testing::Not(HasSubstr("No step has been simulated")));
   press_key('E', true);
   EXPECT_TRUE(editor_.state().save_as) << "now there is something to export";
 }
@@ -87,7 +87,7 @@ TEST(RefusedCommand, AScriptSavesWhereItSays) {
   const fs::path early = test_file("early.script", "command file.export " + (test_folder() / "run.glb").string());
   const Outcome exported = run_program("script " + early.string() + " " + wall.string());
   EXPECT_EQ(exported.code, 2);
-  EXPECT_THAT(exported.output, HasSubstr("No step has been made yet"));
+  EXPECT_THAT(exported.output, HasSubstr("No step has been simulated yet"));
 }
 
 }  // namespace

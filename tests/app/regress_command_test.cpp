@@ -21,7 +21,7 @@ std::string content_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// A suite of one scene that lies beside it, accepted as it is.
+/// A suite of one scene in its folder, accepted as it is.
 class RegressCommand : public ::testing::Test {
  protected:
   RegressCommand() : suite_(test_folder() / "a suite") {

@@ -79,6 +79,17 @@ TEST(Script, CommandsAreReadBackAsTheyWereWritten) {
 
 TEST(Script, TheTourIsOne) { EXPECT_GT(tour().size(), 10u); }
 
+TEST(Script, ThatOfTheTutorialDrawsItsPictures) {
+  const std::filesystem::path docs = std::filesystem::path(GRIFFITH_SOURCE_DIR) / "docs";
+  std::size_t pictures = 0;
+  for (const ScriptLine& line : read_script(docs / "tutorial.script")) {
+    if (line.verb != Verb::screenshot) continue;
+    EXPECT_TRUE(std::filesystem::exists(docs.parent_path() / line.text)) << line.text;
+    ++pictures;
+  }
+  EXPECT_EQ(pictures, 4u);
+}
+
 class ScriptPlayerTest : public EditorTest {
  protected:
   void play_script(const std::string& text) {

@@ -1,5 +1,5 @@
 // What the steps of much debris cost: a wall of 432 tetrahedra that splits to dust, and bricks that fall into a heap
-// and come to rest, beside a world of Bullet's with the same bricks. Counters: the longest step, the mean one, the
+// and come to rest, compared with a Bullet world of the same bricks. Counters: the longest step, the mean one, the
 // median and that which one in a hundred exceeds [ms of one thread]; pieces at the end, how many of them are awake, and
 // the deepest overlap of all steps [mm].
 

@@ -1,6 +1,6 @@
 // What it costs to start a scene again, as the editor's Reset does: the old world goes, a new one is built and prepared
 // for drawing. 4,000 blocks from the scene file, and a slab that has broken into more than 4,000 pieces; and the first
-// step after, beside a later one.
+// step after, compared with a later one.
 
 #include <benchmark/benchmark.h>
 

@@ -12,7 +12,7 @@ namespace griffith::testing {
 
 inline constexpr double kDt = 1.0 / 120;  // of a substep [s]
 
-/// A box round its centre.
+/// A box around its center.
 inline ConvexPart box_part(const Vec3& size) {
   ConvexPart corners;
   for (int i = 0; i < 8; ++i)
@@ -38,7 +38,7 @@ inline void advance(ContactWorld& world, ProxyId proxy, double dt) {
   world.set_state(proxy, state);
 }
 
-/// What the owner of a proxy does with external forces.
+/// Applies external forces, as the owner of a proxy does.
 inline void accelerate(ContactWorld& world, const std::vector<ProxyId>& proxies, const Vec3& change) {
   for (ProxyId id : proxies)
     world.set_velocity(id, world.state(id).velocity + change, world.state(id).angular_velocity);

@@ -41,7 +41,7 @@ struct FlyingBox {
   }
 };
 
-/// How far two boxes are apart along the best of the axes that may part them (Gottschalk 1996), negative: they overlap.
+/// Returns the distance of two boxes along the best separating axis (Gottschalk 1996); negative if they overlap.
 double gap_between(const FlyingBox& a, const FlyingBox& b, double time) {
   const Mat3 of_a = a.pose(time).rotation.toRotationMatrix(), of_b = b.pose(time).rotation.toRotationMatrix();
   std::vector<Vec3> axes;

@@ -1,4 +1,4 @@
-// What supports let turn about a hinge, among so many other things that none of them is followed as it deforms.
+// Bodies that supports leave free to rotate about a hinge, among so many other objects that all are quasi-static.
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ double lowest_node(const Frame& frame) {
   return std::ranges::min_element(frame.nodes.positions, {}, [](const Vec3& place) { return place.y(); })->y();
 }
 
-/// Of a stiff plank, contacts take for rigid what they turn; a soft one is followed as it deforms.
+/// Contacts rotate a stiff plank as a rigid body; a soft one deforms.
 class HingedPlank : public ::testing::TestWithParam<double> {};
 
 TEST_P(HingedPlank, FallsToTheGroundAndStaysThere) {

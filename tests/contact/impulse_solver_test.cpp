@@ -137,7 +137,7 @@ TEST(ImpulseSolver, AddsNoEnergy) {
   }
 }
 
-/// Adds the objects and contacts of `heap` beside those there, on the same immovable one.
+/// Adds the objects and contacts of `heap` next to the existing ones, on the same immovable one.
 void append(const Heap& heap, Heap& all) {
   const int shift = static_cast<int>(all.solver_bodies.size()) - 1;
   all.solver_bodies.insert(all.solver_bodies.end(), heap.solver_bodies.begin() + 1, heap.solver_bodies.end());

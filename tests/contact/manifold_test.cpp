@@ -15,7 +15,7 @@ using contact::Hull;
 using contact::Manifold;
 using contact::Place;
 
-/// How far a point lies outside of a hull, at most; negative inside.
+/// Returns the largest distance of a point from the planes of a hull, outward; negative inside.
 double height_over(const Hull& hull, const Vec3& point) {
   double height = -std::numeric_limits<double>::infinity();
   for (const Hull::Face& face : hull.faces) height = std::max(height, face.normal.dot(point) - face.offset);

@@ -28,7 +28,7 @@ struct Row {
     return speeds;
   }
 
-  /// How many contacts each of the gaps has left.
+  /// Returns the number of contacts left for each gap.
   std::vector<int> left() const {
     std::vector<int> count(cubes.size() - 1, 0);
     for (const Contact& contact : world.contacts()) ++count[std::min(contact.a, contact.b)];

@@ -150,7 +150,7 @@ TEST(ProxyContact, PushingOverlapsApartLiftsNothingThatRests) {
 }
 
 TEST(ProxyContact, ATiltedBodyFeelsItsFullInertia) {
-  // A blow off the centre against closed form: angular velocity = I⁻¹ (arm × impulse), with a full inertia tensor.
+  // An impulse off the center against closed form: angular velocity = I⁻¹ (arm × impulse), with a full inertia tensor.
   ContactWorld world(Vec3::Zero());
   const Vec3 size(1, 0.6, 0.3);
   const Mat3 turn = Eigen::AngleAxisd(0.6, Vec3(1, -1, 2).normalized()).toRotationMatrix();
@@ -184,7 +184,7 @@ TEST(ProxyContact, AFaceThatStrikesAFaceDoesNotTurnIt) {
   }
   solve(world, kHalfDt);
   EXPECT_EQ(world.contacts().size(), 4u);
-  constexpr double kTolerance = 1e-5 * 8;  // the solver's, of the speed of the blow
+  constexpr double kTolerance = 1e-5 * 8;  // the solver's, of the speed of the impact
   for (int i = 0; i < 2; ++i) {
     EXPECT_LT((world.state(boxes[i]).velocity - turn * Vec3(0, i == 0 ? -2 : 2, 0)).norm(), kTolerance);
     EXPECT_LT(world.state(boxes[i]).angular_velocity.norm(), kTolerance);

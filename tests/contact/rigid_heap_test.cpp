@@ -99,7 +99,7 @@ class Heap {
   SurfaceProperties surface_;
 };
 
-/// Boxes and chunks of some centimetres that fall in a column.
+/// Boxes and chunks of some centimeters that fall in a column.
 Heap random_heap(unsigned seed, int count, double dt) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -153,7 +153,7 @@ TEST(RigidHeap, DoesNotDependOnTheThreadsAndACopyGoesOnAlike) {
         << threads << " threads";
 }
 
-/// Whether the bodies stay where they begin for two seconds, and sleep then.
+/// Expects that the bodies stay in place for two seconds and then sleep.
 void expect_to_stand(Heap& heap, double dt, double tolerance) {
   std::vector<Vec3> places;
   for (const ProxyId id : heap.ids) places.push_back(heap.world.state(id).pose.translation);

@@ -227,7 +227,7 @@ TEST(SphereContact, AnImpactIsForetold) {
     EXPECT_TRUE(world.expected_impacts(kDt / 4, 1, kTimeTolerance).empty());  // too far off
     EXPECT_TRUE(world.expected_impacts(kDt, 50, kTimeTolerance).empty());     // too slow
     world.set_impact_speed(plate, 50);
-    EXPECT_TRUE(world.expected_impacts(kDt, 1, kTimeTolerance).empty());  // too slow to hurt
+    EXPECT_TRUE(world.expected_impacts(kDt, 1, kTimeTolerance).empty());  // too slow to cause damage
   }
 }
 
@@ -237,7 +237,7 @@ TEST(SphereContact, TimeBeforeAnImpactIsThatOfFreeFlight) {
   world.set_impact_speed(world.add_proxy(box_parts(size), box_mass(size, 80), Mobility::kinematic, {}, {}), 10);
   world.add_sphere(0.2, 25, at(Vec3(0, 0, 0.5), Vec3(0, 0, -40)), {});   // 0.25 m off
   world.add_sphere(0.2, 25, at(Vec3(0, 0, -0.6), Vec3(0, 0, 50)), {});   // 0.35 m off
-  world.add_sphere(0.2, 25, at(Vec3(0.7, 0, 0.3), Vec3(0, 0, -9)), {});  // too slow to hurt
+  world.add_sphere(0.2, 25, at(Vec3(0.7, 0, 0.3), Vec3(0, 0, -9)), {});  // too slow to cause damage
   world.detect();
   const auto impacts = world.expected_impacts(kDt, 1, kTimeTolerance);
   ASSERT_EQ(impacts.size(), 2u);

@@ -27,10 +27,10 @@ std::string entry_in(const fs::path& folder) {
 
 Input read_single_file(const fs::path& path) {
   Input input{"input" + path.extension().string(), {}};
-  for (const auto& beside : fs::directory_iterator(fs::absolute(path).parent_path())) {
-    const std::string ending = beside.path().extension().string();
-    const bool pair = beside.path().stem() == path.stem() && (ending == ".node" || ending == ".ele");
-    if (pair) input.files["input" + ending] = read_file(beside.path());
+  for (const auto& entry : fs::directory_iterator(fs::absolute(path).parent_path())) {
+    const std::string ending = entry.path().extension().string();
+    const bool pair = entry.path().stem() == path.stem() && (ending == ".node" || ending == ".ele");
+    if (pair) input.files["input" + ending] = read_file(entry.path());
   }
   input.files[input.entry] = read_file(path);
   return input;

@@ -82,7 +82,7 @@ void join_points(TetSoup& soup, RandomValues& random) {
     for (int& corner : tet) corner = corner == from ? to : corner;
 }
 
-/// A second copy beside the first that shares a node, an edge or more with it.
+/// Adds a second copy next to the first that shares a node, an edge or more with it.
 void add_neighbour(TetSoup& soup, RandomValues& random) {
   const int count = static_cast<int>(soup.points.size()), tets = static_cast<int>(soup.tets.size());
   const int shared = 1 + random.index(3);

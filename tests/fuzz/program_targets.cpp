@@ -24,7 +24,7 @@
 #include "tests/fuzz/small_scenes.h"
 #include "tests/fuzz/target.h"
 
-// What the program reads beside scenes and meshes: jobs, suites, sweeps, scripts and its own arguments.
+// Other input of the program than scenes and meshes: jobs, suites, sweeps, scripts and its own arguments.
 
 namespace griffith::fuzz {
 namespace {

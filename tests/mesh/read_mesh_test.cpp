@@ -81,7 +81,7 @@ TEST(WriteMeshTest, RoundTripsAreExact) {
     EXPECT_EQ(read.points, soup.points) << name;
     EXPECT_EQ(read.tets, soup.tets) << name;
   }
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 2) << "nothing is left beside";
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 2) << "nothing else is left";
 }
 
 TEST(WriteMeshTest, NamesAFolderThatDoesNotExist) {

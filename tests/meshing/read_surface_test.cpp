@@ -65,7 +65,7 @@ std::string binary_stl_of(const TriangleSurface& s) {
   return bytes;
 }
 
-/// Returns a glTF file with its numbers in a .bin beside it, moved by a node's translation.
+/// Returns a glTF file with its numbers in a .bin next to it, moved by a node's translation.
 std::string gltf_of(const TriangleSurface& s, const std::filesystem::path& folder, const Vec3& translation) {
   std::string bytes;
   for (const Vec3& p : s.points)

@@ -22,7 +22,7 @@ struct Drawing {
   std::uint64_t state_hash = 0;
 };
 
-/// The tetrahedra of the small wall under fire after some steps, with numbers written beside the elements of a node.
+/// The tetrahedra of the small wall under fire after some steps, with numbers at the elements of a node.
 Drawing drawing_of_wall(const std::string& view, const std::string& color_map = "viridis", double density_factor = 1);
 
 /// Draws as the program does without a window.

@@ -233,7 +233,7 @@ TEST_F(GlyphTest, PickingAgreesWithARayCastOnTheCpu) {
       const std::int32_t id = renderer_->id_at(x, y);
       hits += id >= 0;
       if (id_through(0, 0) == id) continue;
-      // An edge passes through the pixel; the device may have looked a little beside its middle.
+      // An edge passes through the pixel; the device may have sampled slightly off its center.
       ++doubtful;
       bool near = false;
       const float reach = samples == 1 ? 0.02f : 0.5f;

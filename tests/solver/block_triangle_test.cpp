@@ -15,7 +15,7 @@ namespace {
 constexpr int kSize = BlockTriangle::kSize;
 using Cholesky = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>>;
 
-/// Of a grid of blocks, each joined to its neighbours, in random numbers: all entries with random values.
+/// Returns the matrix of a randomly numbered grid of blocks, each coupled to its neighbors, with random values.
 Eigen::SparseMatrix<double> grid_matrix(int side, const std::vector<int>& numbers, testing::RandomValues& random) {
   std::vector<Eigen::Triplet<double>> entries;
   const auto join = [&](int a, int b, double diagonal) {

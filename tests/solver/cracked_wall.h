@@ -17,7 +17,8 @@ inline int side_of_cracks(Damage damage, const Vec3& centroid, const Vec3& node)
   return static_cast<int>(std::floor(2 * centroid.x())) + 4 * static_cast<int>(std::floor(2 * centroid.y()));
 }
 
-/// Parts a soup along x = 0 for y > 0, along all of x = 0, or along the planes between 4 × 4 pieces of half a metre.
+/// Separates a soup along x = 0 for y > 0, along all of x = 0, or along the planes between 4 × 4 pieces of half a
+/// meter.
 inline TetSoup crack(const TetSoup& whole, Damage damage) {
   TetSoup soup;
   std::map<std::pair<int, int>, int> copies;

@@ -134,7 +134,7 @@ TEST(Patch, KeepsTheIterationsBoundedAsACrackRuns) {
   }
 }
 
-/// Whether each aggregate is one piece of the graph: the links within aggregates leave one piece for each.
+/// True if each aggregate is one piece of the graph: the links within aggregates leave one piece for each.
 bool are_connected(const BlockSparseMatrix& matrix, const std::vector<int>& aggregates) {
   std::set<int> seen;
   std::vector<bool> reached(matrix.rows(), false);

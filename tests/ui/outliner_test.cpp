@@ -27,7 +27,7 @@ Scene full_scene() {
   return scene;
 }
 
-std::vector<SceneEntry> chosen(const UiDriver& ui) { return chosen_entries(ui.state, ui.history.scene()); }
+std::vector<SceneEntry> chosen(const UiDriver& ui) { return selected_entries(ui.state, ui.history.scene()); }
 
 /// Clicks while a key is held down.
 void click_with(UiDriver& ui, int modifier, const std::string& tag) {
@@ -184,7 +184,7 @@ TEST(Outliner, ScrollsToWhatIsChosenElsewhere) {
   for (int i = 0; i < 40; ++i) scene.cameras.push_back(Camera{.name = "camera " + std::to_string(i)});
   UiDriver ui(scene);
   EXPECT_EQ(find_tag(ui.tags, "cameras/35"), nullptr) << "far below";
-  choose_entries(ui.state, scene, {{EntryKind::camera, 35}});
+  select_entries(ui.state, scene, {{EntryKind::camera, 35}});
   ui.frame();
   ui.frame();
   EXPECT_NE(find_tag(ui.tags, "cameras/35"), nullptr);

@@ -46,6 +46,16 @@ void expect_valid(const UiDriver& ui) {
     ADD_FAILURE() << problem.what();
 }
 
+TEST(ScenePanels, LabelsDoNotRepeatTheUnitOfTheNumber) {
+  Scene scene = two_walls();
+  scene.cameras = {{}};
+  UiDriver ui(scene);
+  ui.state.entries = {{EntryKind::camera, 0}};
+  open(ui, {});
+  EXPECT_NE(find_tag(ui.tags, "label/Field of view"), nullptr);
+  EXPECT_EQ(find_tag(ui.tags, "label/Field of view degrees"), nullptr);
+}
+
 TEST(ScenePanels, EveryFieldOfBodyAndSceneHasARow) {
   UiDriver ui(two_walls());
   open(ui, {"body", "scene"});
@@ -320,14 +330,14 @@ TEST(BodyRows, TheListAndTheMaterialSayWhatBrokeScaled) {
   for (int i = 0; i < 3; ++i) ui.frame();
   EXPECT_EQ(find_tag(ui.tags, "bodies/0/broke_scaled"), nullptr);
   EXPECT_EQ(find_tag(ui.tags, "material/broke_scaled"), nullptr);
-  EXPECT_EQ(find_tag(ui.tags, "value/Broke scaled"), nullptr);
+  EXPECT_EQ(find_tag(ui.tags, "value/Broke while scaled"), nullptr);
   for (BodyView& piece : pieces)
     if (piece.scene_body == 0) piece.broke_scaled.emplace().factor = piece.id.index() % 2 == 0 ? 0.25 : 0.5;
   for (int i = 0; i < 3; ++i) ui.frame();
   EXPECT_EQ(ui.value("bodies/0/broke_scaled"), "E/16, σ/4");
   EXPECT_EQ(find_tag(ui.tags, "bodies/1/broke_scaled"), nullptr);
-  EXPECT_EQ(ui.value("material/broke_scaled"), "E/16, σ/4") << "beside the full stiffness in the slider";
-  EXPECT_NE(ui.value("value/Broke scaled").find("E/16, σ/4"), std::string::npos);
+  EXPECT_EQ(ui.value("material/broke_scaled"), "E/16, σ/4") << "next to the full stiffness in the slider";
+  EXPECT_NE(ui.value("value/Broke while scaled").find("E/16, σ/4"), std::string::npos);
 }
 
 TEST(BodyRows, TheListShowsStatesAndSelectsPieces) {

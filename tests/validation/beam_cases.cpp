@@ -75,7 +75,7 @@ struct Expectation {
   std::array<double, 4> fractions;  // of Timoshenko's deflection at n = 1, 2, 4, 8
 };
 
-/// Kuhn and five-tet against the shares that linear tets give; BCC, which has more nodes, against five-tet.
+/// Kuhn and five-tet against the fractions that linear tets give; BCC, which has more nodes, against five-tet.
 std::vector<Row> cantilever(const char* scene_name, double (*closed_form)(const Scene&), double tolerance) {
   constexpr std::array<Expectation, 2> kExpected = {
       {{BoxPattern::kuhn, {.22, .50, .79, .93}}, {BoxPattern::five_tet, {.35, .67, .89, .96}}}};
@@ -90,7 +90,7 @@ std::vector<Row> cantilever(const char* scene_name, double (*closed_form)(const 
   std::vector<Row> rows;
   for (const auto& [pattern, expected] : kExpected)
     for (std::size_t i = 0; i < cells.size(); ++i)
-      rows.push_back(near(mesh_label(pattern, cells[i]), "share of the deflection", expected[i],
+      rows.push_back(near(mesh_label(pattern, cells[i]), "fraction of the deflection", expected[i],
                           fractions[static_cast<int>(pattern)][i], tolerance));
   for (std::size_t i = 0; i < cells.size(); ++i)
     for (BoxPattern other : {BoxPattern::kuhn, BoxPattern::five_tet}) {
@@ -98,7 +98,7 @@ std::vector<Row> cantilever(const char* scene_name, double (*closed_form)(const 
       const double fraction = interpolated_fraction(cells, fractions[static_cast<int>(other)], other,
                                                     node_count(BoxPattern::bcc, cells[i]));
       rows.push_back(at_least(mesh_label(BoxPattern::bcc, cells[i]),
-                              "share; " + mesh_label(other, 0).pattern + "'s with as many nodes", fraction,
+                              "fraction; " + mesh_label(other, 0).pattern + "'s with as many nodes", fraction,
                               fractions[static_cast<int>(BoxPattern::bcc)][i]));
     }
   for (BoxPattern pattern : kPatterns) {
@@ -127,7 +127,7 @@ std::vector<Row> locking(Extent) {
       cut(scene, pattern, kCells);
       const double fraction = tip_deflection(scene) / tip_load_deflection(scene);
       char quantity[64];
-      std::snprintf(quantity, sizeof quantity, "share at ν = %.3g; at the ν before", poisson_ratio);
+      std::snprintf(quantity, sizeof quantity, "fraction at ν = %.3g; at the ν before", poisson_ratio);
       rows.push_back(at_most(mesh_label(pattern, kCells), quantity, previous, fraction));
       previous = fraction;
     }

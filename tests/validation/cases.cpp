@@ -29,65 +29,61 @@ Row at_least(const MeshLabel& mesh, const std::string& quantity, double limit, d
 std::span<const Case> cases() {
   static constexpr Case kCases[] = {
       {"AffineDeformation", "Affine deformation",
-       "A block under a uniform deformation gradient: every tet has the stress that the gradient gives, and no node "
-       "inside "
-       "a force.",
+       "A block under a uniform deformation gradient. Every tet has the stress of that gradient, and no inner "
+       "node has a force.",
        affine_deformation},
-      {"RigidMotion", "Rigid motion", "A block turned twenty ways and moved: no strain, no force.", rigid_motion},
+      {"RigidMotion", "Rigid motion", "A block in twenty rotations and displacements. There is no strain and no force.",
+       rigid_motion},
       {"DifferenceQuotients", "Forces and stiffness against difference quotients",
-       "A single tet: its forces are the slope of its energy, its stiffness that of its forces, and forces turn with "
-       "the "
-       "element.",
+       "A single tet. Its forces are the gradient of its energy, its stiffness is that of its forces, and "
+       "forces rotate with the element.",
        difference_quotients},
       {"CantileverTipLoad", "Cantilever 10:1:1 with a load at its tip",
-       "The tip sinks by PL³/3EI + PL/(κGA), κ = 5/6 (Timoshenko); linear tets are too stiff and give the expected "
-       "share "
-       "with n cells through the thickness. ν = 0.3. BCC, which has more nodes, is compared at equal nodes: it passes "
-       "Kuhn "
-       "always and five-tet from n = 4.",
+       "The tip deflects by PL³/3EI + PL/(κGA), κ = 5/6 (Timoshenko). Linear tets are too stiff and give the "
+       "expected fraction, with n cells through the thickness. ν = 0.3. BCC has more nodes and is compared at "
+       "equal nodes: it is always better than Kuhn, and better than five-tet from n = 4.",
        cantilever_tip_load},
       {"CantileverGravity", "Cantilever 10:1:1 under gravity",
-       "The tip sinks by qL⁴/8EI + qL²/(2κGA); expected are the shares of the load at the tip.", cantilever_gravity},
+       "The tip deflects by qL⁴/8EI + qL²/(2κGA). The expected fractions are those of the load at the tip.",
+       cantilever_gravity},
       {"Locking", "Locking toward incompressibility",
-       "The cantilever's share of its deflection while ν → 0.5: linear tets lock, each share below the one before.",
+       "The fraction of the cantilever's deflection as ν → 0.5. Linear tets lock: each fraction is below the "
+       "one before.",
        locking},
       {"BarInTension", "Bar in tension",
-       "A free bar pulled at its ends, straight and turned: the stress s that pulls a node apart is the bar's stress "
-       "at "
-       "every node off the ends.",
+       "A free bar pulled at its ends, unrotated and rotated. The separation stress s equals the bar's stress "
+       "at every node away from the ends.",
        bar_in_tension},
       {"ThreePointBending", "Three-point bending",
-       "A beam, span 10 depths: the worst node lies on the bottom near midspan and opens along the beam. s is compared "
-       "with "
-       "beam theory there, where the load itself takes off some 2 %, and half-way to the bearings; n cells through the "
-       "depth.",
+       "A beam with a span of 10 depths. The worst node lies on the bottom near midspan and opens along the "
+       "beam. s is compared with beam theory there, where the load itself reduces it by some 2 %, and halfway "
+       "to the bearings. There are n cells through the depth.",
        three_point_bending},
       {"PlateWithHole", "Plate with a hole, d/W = 0.1",
-       "The largest s over the stress far away, n elements round a quadrant of the hole; closed form 3.03. One element"
-       " through a thickness that matches those at the hole.",
+       "The largest s over the stress far from the hole, with n elements around a quadrant of it. The closed "
+       "form is 3.03. There is one element through the thickness, which matches those at the hole.",
        plate_with_hole},
       {"BrazilianDisc", "Brazilian disc",
-       "A disc pressed along a diameter by two line loads: in its middle 2P/(πDt) across the load; n elements across "
-       "the "
-       "diameter; expected shares are those of five-tet. With 4 across the figure depends on the pattern alone.",
+       "A disc compressed along a diameter by two line loads. The stress in its middle is 2P/(πDt) across the "
+       "load. There are n elements across the diameter. Expected fractions are those of five-tet. With 4 "
+       "across, the figure depends on the pattern alone.",
        brazilian_disc},
       {"LongitudinalWave", "Longitudinal wave",
-       "A free bar, n cells long and 2 across, ν = 0, its end suddenly pushed, in stable explicit steps: when the "
-       "other end "
-       "moves at a tenth of its final velocity, over L/√(E/ρ). The mesh's dispersion sends the foot of the front "
-       "ahead.",
+       "A free bar, n cells long and 2 across, ν = 0, with a sudden push on its end, in stable explicit steps. "
+       "Measured is the time when the other end moves at a tenth of its final velocity, over L/√(E/ρ). The "
+       "mesh's dispersion sends the foot of the front ahead.",
        longitudinal_wave},
       {"FreeFall", "Free fall",
        "After steps of h the block is at x₀ + v₀t − ½gt(t+h), without stress, for 120 steps and any stiffness.",
        free_fall},
       {"ModeDecay", "A mode under implicit Euler, and the stable explicit step",
-       "Implicit Euler multiplies a mode's energy by 1/(1 + ω²h²) a step; the explicit step is stable below 2/ω.",
+       "Implicit Euler multiplies a mode's energy by 1/(1 + ω²h²) per step. The explicit step is stable below "
+       "2/ω.",
        mode_decay},
       {"LongRun", "Energy and momentum over a long run",
-       "An undamped block flies, turns and vibrates. 10,000 explicit steps of half the stable length: its energy "
-       "swings but "
-       "does not drift; 1,000 implicit ones: it never gains more than turning by finite angles rounds off. Momenta "
-       "stay.",
+       "An undamped block flies, rotates and vibrates. In 10,000 explicit steps of half the stable length its "
+       "energy oscillates but does not drift. In 1,000 implicit steps it never gains more than the rounding of "
+       "finite rotations. Momenta are constant.",
        long_run},
   };
   return kCases;

@@ -19,7 +19,7 @@ struct MeshLabel {
   std::string resolution;  ///< "n = 4"
 };
 
-/// One figure beside its closed form; all are ratios unless `quantity` names a unit.
+/// One figure with its closed form; all are ratios unless `quantity` names a unit.
 struct Row {
   MeshLabel mesh;
   std::string quantity;

@@ -28,8 +28,8 @@ MeshFileShape bar_on_a_rough_mesh(BoxPattern pattern, int cells) {
   return {path};
 }
 
-/// Pulled at both ends by the tensile strength. Some scatter tells where it breaks; bars of this size keep the strength
-/// on average.
+/// A bar pulled at both ends by the tensile strength. Some scatter decides where it breaks; bars of this size keep the
+/// strength on average.
 Scene pulled_bar(BoxPattern pattern, int cells, const Vec3& degrees) {
   Scene scene;
   scene.gravity.setZero();

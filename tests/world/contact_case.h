@@ -64,7 +64,7 @@ inline std::string contact_case_name(const ::testing::TestParamInfo<ContactCase>
   return case_name(info.param);
 }
 
-/// Keeps a figure in the test's report beside what it should be, so that runs can be compared.
+/// Records a figure with its expected value in the test's report, so that runs can be compared.
 inline void record(const std::string& name, double got, const std::string& expected) {
   char text[64];
   std::snprintf(text, sizeof text, "%.4g (%s)", got, expected.c_str());

@@ -63,7 +63,7 @@ inline double farthest_moved(const std::vector<Vec3>& before, const Frame& frame
   return moved;
 }
 
-/// How far the lowest node is below `height` [m].
+/// Returns the depth of the lowest node below `height` [m].
 inline double depth_below(const Frame& frame, double height = 0) {
   double lowest = height;
   for (const Vec3& position : frame.nodes.positions) lowest = std::min(lowest, position.y());

@@ -5,7 +5,7 @@
 
 namespace griffith::testing {
 
-/// What cracks have opened [m²]: both faces of a crack count half.
+/// Returns the area of cracks [m²]: both faces of a crack count half.
 inline double crack_area(const Frame& frame) {
   double area = 0;
   for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet)

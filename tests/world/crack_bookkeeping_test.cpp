@@ -62,7 +62,7 @@ void cut_in_two(WorldState& world) {
 
 TEST(QuietCut, ABodyCutInTwoAtRestStaysAtRest) {
   Scene scene = floating(block());
-  World driver(scene);  // a twin for the number of steps below: stepping an untouched body must do nothing either
+  World driver(scene);  // a twin for the number of steps below: stepping a ballistic body must do nothing either
   auto world = build(scene);
   cut_in_two(*world);
   ASSERT_EQ(world->bodies.size(), 2u);

@@ -75,7 +75,7 @@ Scene notched_plate(BoxPattern pattern, int cells) {
   return weightless(plate);
 }
 
-/// Nothing cracks here: equilibrium is linear, so the utilization under the full load tells which share of it is borne.
+/// Nothing cracks here: equilibrium is linear, so the utilization under the full load gives the bearable fraction.
 double bearable_fraction(Scene scene) {
   scene.analysis = Analysis::equilibrium;
   scene.simulation.fracture = false;
@@ -91,7 +91,7 @@ TEST_P(CrackPath, ANotchedPlateCracksFromTheTipAtALoadThatHardlyDependsOnTheMesh
                     has_cracked, [](const Frame& frame) {
                       const Vec3& place = frame.crack_events.front().rest_position;
                       EXPECT_NEAR(place.x(), 0, 1e-6);
-                      EXPECT_NEAR(place.y(), -1, 1e-6) << "the notch ends one metre above the edge at -2 m";
+                      EXPECT_NEAR(place.y(), -1, 1e-6) << "the notch ends one meter above the edge at -2 m";
                     });
   const auto [minimum, maximum] = std::minmax_element(fractions.begin(), fractions.end());
   EXPECT_LT(*maximum / *minimum, 1.15);
@@ -117,7 +117,7 @@ TEST_P(CrackPath, ADiscSplitsAlongItsLoad) {
     EXPECT_GT(std::abs(first.normal.x()), 0.97) << "across the load";
   });
 
-  // Pressed together between platens, so that the load falls as the disc gives way.
+  // Compressed between platens, so that the load falls as the disc breaks.
   for (std::size_t i = 0; i < 2; ++i) {
     Support platen;
     platen.kind = SupportKind::prescribed;
@@ -133,7 +133,7 @@ TEST_P(CrackPath, ADiscSplitsAlongItsLoad) {
   World world(scene);
   while (!has_parted(world.frame()) && world.frame().time < 1) world.step();
   ASSERT_TRUE(has_parted(world.frame()));
-  // Two halves, left and right; a half disc's centre lies 4R/3π from the cut.
+  // Two halves, left and right; a half disc's center lies 4R/3π from the cut.
   std::vector<BodyView> pieces(world.frame().bodies.begin(), world.frame().bodies.end());
   std::ranges::sort(pieces, std::greater{}, &BodyView::tets);
   EXPECT_GT(pieces[0].mass + pieces[1].mass, 0.9 * world.frame().totals.mass);

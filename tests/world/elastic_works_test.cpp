@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(Models, ElasticWorksTest,
                            return model.param == ElementModel::corotational ? "Corotational" : "GreenStrain";
                          });
 
-/// What has no room for strains has none, and is hashed and copied alike.
+/// Elements without storage for strains have none, and are hashed and copied the same.
 TEST(Strains, TakeRoomWhereTheyCanBeOtherThanZero) {
   WorldState world = moving_block(ElementModel::corotational);
   ASSERT_TRUE(world.elements.plastic_strains.empty());

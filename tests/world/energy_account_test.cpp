@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kTolerance = 0.01;
 
-/// Of what came in, what is not accounted for.
+/// Returns the unaccounted fraction of the turnover.
 double fraction_unaccounted(const EnergyAccount& energy) {
   return energy.turned_over() > 0 ? std::abs(energy.unaccounted()) / energy.turned_over() : 0;
 }
@@ -34,7 +34,7 @@ Scene bouncing_block(Integrator integrator) {
   block.velocity = Vec3(0, -2, 0);
   block.material.young_modulus = 1e7;
   block.material.density = 1000;
-  block.material.tensile_strength = 1e3;  // so that the blow counts as one that could hurt
+  block.material.tensile_strength = 1e3;  // so that the impact counts as potentially harmful
   block.material.friction = 0;
   block.material.stiffness_damping = 0;
   scene.bodies = {block};
@@ -117,7 +117,7 @@ TEST(EnergyAccount, APlasticBarTakesItsYieldStressTimesItsFlow) {
 
 /// A shot at a wall on the ground that goes to pieces.
 Scene shot_at_wall(Integrator integrator) {
-  const double strength = integrator == Integrator::hybrid ? 0.5 : 0.02;  // long steps average a blow away
+  const double strength = integrator == Integrator::hybrid ? 0.5 : 0.02;  // long steps average an impact away
   Scene scene = testing::shot_wall(Vec3(2, 2, 0.25), 0.25, testing::brick(strength));
   scene.simulation.integrator = integrator;
   scene.projectiles[0].start = 0;
@@ -206,7 +206,7 @@ Scene struck_bar() {
   scene.simulation.step_budget = 1e5;
   BodyDescription bar;
   bar.shape = BoxShape{Vec3(1, 0.1, 0.1), Vec3::Constant(0.1), BoxPattern::five_tet};
-  bar.material.tensile_strength = 1e6;  // so that the blow counts as one that could hurt
+  bar.material.tensile_strength = 1e6;  // so that the impact counts as potentially harmful
   bar.supports = {{HalfSpaceRegion{Vec3(-0.5, 0, 0), -Vec3::UnitX()}}};
   ProjectileBurst shot;
   shot.position = Vec3(0.42, 0.01, 0.2);
@@ -241,7 +241,7 @@ TEST(EnergyAccount, ScaledBodiesTakeAsMuchLessFromTheirLoadsAsTheyAreScaled) {
     last = frame.energy_of_step;
   }
   EXPECT_GT(compared, 0.1 * world.frame().energy.turned_over());
-  EXPECT_FALSE(factor) << "and the shock has ended";
+  EXPECT_FALSE(factor) << "and explicit dynamics has ended";
 }
 
 TEST(EnergyAccount, AScaledBodyClosesUnderItsWeight) {
@@ -259,7 +259,7 @@ TEST(EnergyAccount, AScaledBodyClosesUnderItsWeight) {
     maximum = std::max(maximum, std::abs(world.frame().energy.scaling));
   }
   EXPECT_GT(maximum, 0.1 * world.frame().energy.turned_over());
-  EXPECT_FALSE(world.frame().bodies[0].scaled) << "the shock has ended";
+  EXPECT_FALSE(world.frame().bodies[0].scaled) << "explicit dynamics has ended";
 }
 
 TEST(EnergyAccount, MovingSupportsWorkInMicrosteps) {
@@ -357,7 +357,7 @@ TEST(EnergyAccount, OfANonlinearStepCloses) {
   EXPECT_LT(fraction_unaccounted(energy), 1e-3);
 }
 
-/// How long a scene is followed: until it has been struck, and some steps more.
+/// Returns the number of steps to follow a scene: until an impact, and some more.
 int steps_of(const std::string& scene) {
   const bool shatters_early = scene == "vase_shot" || scene == "glass_pane" || scene == "bear_shot";
   return shatters_early ? 16 : 48;

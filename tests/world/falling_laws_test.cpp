@@ -41,7 +41,7 @@ TEST_P(FlightLaw, WhatFallsWithoutSpinDoesNotTurn) {
     }
 }
 
-/// Pieces of centimetres at the scale of 0.05 m, that spin at hundreds of radians a second there.
+/// Pieces of centimeters at the scale of 0.05 m, which spin at hundreds of radians per second there.
 TEST_P(FlightLaw, DebrisThatSpinsKeepsItsEnergyAndAngularMomentum) {
   const ContactCase& at = GetParam();
   const Vec3 sizes[] = {Vec3(0.4, 0.4, 0.4), Vec3(1, 0.2, 0.2), Vec3(1, 1, 0.1), Vec3(0.4, 0.6, 1)};

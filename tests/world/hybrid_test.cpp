@@ -33,7 +33,7 @@ Scene struck_plate(double speed, double time_step, int shot_number = 0) {
 
 struct Damage {
   double pieces = 0;
-  double area = 0;  ///< of cracks [m²]
+  double area = 0;  ///< area of cracks [m²]
   std::uint64_t hash = 0;
 };
 

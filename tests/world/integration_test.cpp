@@ -186,7 +186,7 @@ TEST(ExplicitIntegration, TakesTheSubstepsThatStabilityAsksFor) {
   EXPECT_LT(std::abs(tip_deflection(soft)), 0.1) << "stable";
 }
 
-/// What sways softly takes one, and is said to.
+/// A soft deformable body takes one, and the report says so.
 TEST(ExplicitIntegration, CountsASingleSubstepAsOne) {
   Scene scene = beam();
   scene.simulation.integrator = Integrator::symplectic_euler;

@@ -115,7 +115,7 @@ Scene meeting_bricks(double speed) {
   return scene;
 }
 
-/// Of all nodes: momentum and angular momentum [kg·m/s], [kg·m²/s].
+/// Returns momentum and angular momentum of all nodes [kg·m/s], [kg·m²/s].
 std::array<Vec3, 2> momenta(const WorldState& world) {
   std::array<Vec3, 2> sums = {Vec3::Zero(), Vec3::Zero()};
   for (std::size_t i = 0; i < world.nodes.masses.size(); ++i) {

@@ -77,7 +77,7 @@ TEST(ManyBodies, TurnedCollisionPartsOfAShapeAreThoseOfTheTurnedBody) {
   std::vector<std::vector<std::vector<Vec3>>> first;
   for (const BodyView& body : world.frame().bodies)
     first.emplace_back(body.collision_parts.begin(), body.collision_parts.end());
-  // Another material makes all that follows from a body's nodes anew.
+  // Another material recomputes everything that follows from a body's nodes.
   for (int i = 0; i < 12; ++i) world.set_material(i, scene.bodies[i].material);
   for (const BodyView& body : world.frame().bodies) {
     ASSERT_EQ(body.collision_parts.size(), first[body.id].size());
@@ -199,7 +199,7 @@ TEST(ManyBodies, BodiesThatTouchAreNoCrowd) {
   EXPECT_EQ(problem_of(scene), "none");
 }
 
-/// Of equal shapes, too, which share their mesh.
+/// Equal shapes count too, although they share their mesh.
 TEST(ManyBodies, TetsOfAllFilesTogetherAreLimited) {
   Scene scene;
   for (int i = 0; i < 900; ++i) {

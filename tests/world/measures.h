@@ -17,7 +17,7 @@ inline double largest_stress(const Frame& frame) {
   return largest;
 }
 
-/// What all supports do [N].
+/// Returns the total force of all supports [N].
 inline Vec3 sum_of_reactions(const Frame& frame) {
   Vec3 sum = Vec3::Zero();
   for (const Vec3& reaction : frame.nodes.reactions) sum += reaction;

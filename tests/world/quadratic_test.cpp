@@ -14,7 +14,7 @@ namespace {
 /// A strip one layer of elements thick, 10 elements long, held at its left end.
 struct Strip {
   BoxPattern pattern = BoxPattern::five_tet;
-  double aspect = 4;  ///< of the elements
+  double aspect = 4;  ///< width over thickness of the elements
   ElementOrder elements = ElementOrder::quadratic;
   double thickness = 0.01;
 

@@ -13,10 +13,10 @@ namespace griffith::testing {
 /// A scene of bodies in contact, and what is to become of it.
 struct RandomContactScene {
   Scene scene;
-  std::string kind;            ///< how it was made: "heap", "stack", "slope", "press", "thrown", "shot"
-  double size = 1;             ///< of its bodies, about [m]
-  double duration = 2;         ///< how long it is to be watched [s]
-  bool comes_to_rest = false;  ///< all is to be asleep by then
+  std::string kind;            ///< kind of scene: "heap", "stack", "slope", "press", "thrown", "shot"
+  double size = 1;             ///< approximate size of its bodies [m]
+  double duration = 2;         ///< simulated time [s]
+  bool comes_to_rest = false;  ///< everything must be asleep at the end
 };
 
 /// Draws scenes of bodies that lie, fall, slide, press and strike: the same number, the same scene.
@@ -35,8 +35,8 @@ class RandomContactMaker {
                                    &RandomContactMaker::press, &RandomContactMaker::thrown, &RandomContactMaker::shot};
     (this->*kMakings[count(0, 5)])();
     stiffen();
-    // Falls, flights and slides of what moves at 2 √(g size) last up to 14 √(size/g); the rest is to end shocks and
-    // tilts.
+    // Falls, flights and slides at 2 √(g size) last up to 14 √(size/g); the rest is for explicit dynamics and tilting
+    // to end.
     if (made_.comes_to_rest) made_.duration = 5 + 22 * std::sqrt(made_.size / 9.81);
     scene.name = made_.kind;
     return made_;
@@ -161,7 +161,7 @@ class RandomContactMaker {
     Support& support = driven.supports.emplace_back();
     support.region = HalfSpaceRegion{-0.5 * size.cwiseProduct(way), -way};
     support.kind = SupportKind::prescribed;
-    // What is pressed gives way by some percent; what is pushed slides away.
+    // Pressed bodies yield by some percent; pushed ones slide away.
     support.velocity = made_.size * (from_above ? uniform(1e-3, 0.02) : uniform(0.01, 0.5)) * way;
     support.stop = uniform(0.3, 1);
     made_.duration = 1.5;

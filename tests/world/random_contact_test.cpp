@@ -29,10 +29,10 @@ std::filesystem::path scene_path(unsigned seed) {
   return at / ("random_contact_" + std::to_string(seed) + ".json");
 }
 
-/// What a run must not exceed: the worst of each figure in any step, or at its end.
+/// Figures of a run, each the worst of any step or that at its end.
 struct RunFigures {
-  double gained = -1, unaccounted = 0;  ///< of the energy turned over
-  double sunk_center = -1e300;          ///< how far below the ground a centre of mass came [m]
+  double gained = -1, unaccounted = 0;  ///< fractions of the energy turnover
+  double sunk_center = -1e300;          ///< depth of a center of mass below the ground [m]
   bool finite = true;
   std::uint64_t early_hash = 0;
 };

@@ -205,7 +205,7 @@ double breaking_speed(const std::function<Scene(double)>& scene_at) {
   return breaking;
 }
 
-/// What rests is rigid: whatever would have broken it, seen in short steps, must be seen to come, and wake it.
+/// A body at rest is rigid. Any load that would have broken it in short steps must be predicted, and wake it.
 TEST(Rest, DoesNotMakeABodyStronger) {
   const Material wood = *find_material_preset("wood_along_grain");
   const auto scene_of = [&](int kind, double rest, double speed) {

@@ -119,7 +119,7 @@ TEST(Similarity, BreakingSpeedsDependNeitherOnTheBudgetNorOnTheTimeStep) {
   }
 }
 
-/// A bar under tension, set up and in shock.
+/// A bar under tension, in explicit dynamics.
 struct StretchedBar {
   WorldState world;
 
@@ -210,7 +210,7 @@ TEST(Similarity, WhatStrainedABodyBeforeIsHeldAgainstItsFullStrength) {
   }
   EXPECT_LT(lowest, 0.5) << "the touch was an impact";
   EXPECT_TRUE(touched.frame().crack_events.empty());
-  EXPECT_FALSE(hit.frame().crack_events.empty()) << "and a blow does break it";
+  EXPECT_FALSE(hit.frame().crack_events.empty()) << "and an impact does break it";
 }
 
 TEST(Similarity, WhatIsScaledIsTold) {
@@ -262,7 +262,7 @@ TEST(Similarity, WhatBrokeScaledIsMarkedForEver) {
   double least = 1;
   int marked = 0;
   for (const BodyView& body : frame.bodies) {
-    EXPECT_FALSE(body.scaled) << "no shock runs any more";
+    EXPECT_FALSE(body.scaled) << "explicit dynamics has ended";
     double least_of_line = 1;
     for (const BodyId id : line_of(frame, body.id))
       least_of_line = std::min(least_of_line, least_of_own_cracks(frame, id));
@@ -344,12 +344,12 @@ TEST(Similarity, AStepTakesNoMoreMicrostepsThanItsLimit) {
     const StepReport& report = world.frame().report;
     const int alone = 200 * report.impacts;  // of those that are followed alone, at most
     EXPECT_LE(report.microsteps, 1e4 * scene.simulation.step_budget + report.substeps + alone)
-        << "rounded up in each stretch";
+        << "rounded up in each substep";
     EXPECT_EQ(report.non_finite_values, 0);
     add_step(report, total);
   }
   EXPECT_GT(total.microsteps, 1e4 * scene.simulation.step_budget) << "the next step goes on with them";
-  EXPECT_GT(total.unfinished_shocks, 0) << "which is told";
+  EXPECT_GT(total.unfinished_shocks, 0) << "and this is reported";
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ std::vector<std::string> scene_files() {
   return files;
 }
 
-/// What a user does at a step of its own: fires, and changes the material.
+/// Acts as a user at some steps: fires, and changes the material.
 void act(World& world, const Scene& scene, int step) {
   if (step % 16 == 5) {
     ProjectileBurst burst;
@@ -38,7 +38,7 @@ void act(World& world, const Scene& scene, int step) {
   }
 }
 
-/// What a world shows after a step, to the bit.
+/// State of a world after a step, to the bit.
 struct Shown {
   StateHashes hashes;
   std::size_t cracks, bodies, contacts;

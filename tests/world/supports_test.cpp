@@ -77,7 +77,7 @@ void expect_exact_way(const Scene& scene, double stop) {
       EXPECT_LT((frame.nodes.positions[node] - frame.nodes.rest_positions[node] - way).norm(), 1e-13);
     }
   }
-  EXPECT_EQ(microsteps > 0, scene.simulation.integrator == Integrator::hybrid) << "a start like a blow";
+  EXPECT_EQ(microsteps > 0, scene.simulation.integrator == Integrator::hybrid) << "a start like an impact";
 }
 
 TEST(Supports, APrescribedOneGetsExactlyToWhereItStops) {
@@ -93,7 +93,7 @@ TEST(Supports, APrescribedOneGetsExactlyToWhereItStops) {
   }
 }
 
-/// How the kinds of time integration say it.
+/// Returns the settings of all kinds of time integration.
 std::vector<SimulationSettings> all_integrators() {
   SimulationSettings implicit, explicitly;
   explicitly.integrator = Integrator::symplectic_euler;

@@ -192,7 +192,7 @@ TetSoup stepped_bar(double thin_length, double thick_length, double size) {
   return soup;
 }
 
-/// Of the impulse of a pulse [N·s] that arrives in the thick part of the bar, beside its closed form 2A₂ / (A₁ + A₂).
+/// Returns the impulse of a pulse in the thick part of the bar over its closed form, 2A₂ / (A₁ + A₂) times the first.
 double arriving_fraction(Integrator integrator, double traction, double time_step) {
   constexpr double kThin = 0.8, kThick = 1.6, kSize = 0.025;
   const TemporaryFolder folder;
@@ -251,7 +251,7 @@ Scene notched_plate(double traction, double time_step, double budget) {
   return scene;
 }
 
-/// How fast the crack runs from the notch to where no node is left but those of the edge [m/s], and at which f.
+/// Speed of a crack from the notch to the last nodes before the edge [m/s], and the scale f.
 struct RunningCrack {
   double speed = 0, factor = 1;
 };

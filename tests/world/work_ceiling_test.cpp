@@ -11,9 +11,9 @@
 namespace griffith {
 namespace {
 
-constexpr double kCeiling = 50;  ///< of small budgets [ms of a usual core]
+constexpr double kCeiling = 50;  ///< ceiling with small budgets [ms on a typical core]
 
-/// A cube whose corners are pushed towards the faces opposite them in every tenth tet, which makes those flat.
+/// A cube whose corners are pushed toward the faces opposite them in every tenth tet, which makes those flat.
 TetSoup cube_with_slivers() {
   testing::RandomValues random(3);
   TetSoup soup = make_box(Vec3::Ones(), Vec3::Constant(0.125), BoxPattern::five_tet);
@@ -26,7 +26,7 @@ TetSoup cube_with_slivers() {
     for (const auto& other : soup.tets) {
       const Vec3 &a = soup.points[other[0]], b = soup.points[other[1]], c = soup.points[other[2]];
       if ((b - a).cross(c - a).dot(soup.points[other[3]] - a) > 1e-7) continue;
-      corner = before;  // it would turn a neighbour inside out
+      corner = before;  // it would turn a neighbor inside out
       break;
     }
   }
@@ -75,7 +75,7 @@ TEST(WorkCeiling, CutsNothingWhereTheBudgetIsLarge) {
   EXPECT_EQ(total.unfinished_shocks, 0);
 }
 
-/// A stretch that takes too much is made again, shorter: to the same bits.
+/// A substep that takes too much work is repeated, shorter, with the same bits.
 TEST(WorkCeiling, TheNumberOfThreadsChangesNoBit) {
   std::vector<std::uint64_t> hashes;
   for (const int threads : {1, 2, 4}) {

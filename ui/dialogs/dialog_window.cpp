@@ -24,9 +24,9 @@ Dialog shown_dialog(const EditorState& state) {
   return state.show_help ? Dialog::help : Dialog::none;
 }
 
-bool begin_dialog(const Panel& panel, const char* title, bool wanted, float design_width) {
+bool begin_dialog(const Panel& panel, const char* title, bool requested, float design_width) {
   const float scale = ui_scale(panel), width = design_width * scale;
-  if (wanted && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  if (requested && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const ImVec2 center = ImGui::GetMainViewport()->GetCenter();
   ImGui::SetNextWindowPos(center, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, FLT_MAX});

@@ -31,8 +31,8 @@ enum class Dialog {
 /// Returns the dialog that is open.
 Dialog shown_dialog(const EditorState& state);
 
-/// Opens the popup when `wanted` and centers it. True while its content is to be drawn, up to ImGui::EndPopup().
-bool begin_dialog(const Panel& panel, const char* title, bool wanted, float design_width);
+/// Opens the popup when `requested` and centers it. True while its content is to be drawn, up to ImGui::EndPopup().
+bool begin_dialog(const Panel& panel, const char* title, bool requested, float design_width);
 
 /// True if Escape was pressed and no list or text field of the dialog takes it.
 bool escape_pressed();

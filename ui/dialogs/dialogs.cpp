@@ -25,7 +25,7 @@ constexpr std::array<std::pair<const char*, const char*>, 9> kMouseHelp = {{
     {"Drop a file", "open a scene"},
 }};
 
-void labelled_text(const char* label, const std::string& text, ImU32 color) {
+void labeled_text(const char* label, const std::string& text, ImU32 color) {
   if (text.empty()) return;
   ImGui::TextColored(as_vec4(palette::kTextDim), "%s", label);
   ImGui::PushTextWrapPos(0);
@@ -40,9 +40,9 @@ void error_dialog(Panel& panel) {
   std::optional<ErrorMessage>& error = panel.state.error;
   if (!begin_dialog(panel, "Error", error.has_value(), 480)) return;
   if (error) {
-    labelled_text("Where", error->where, palette::kText);
-    labelled_text("Problem", error->problem, palette::kError);
-    labelled_text("Remedy", error->remedy, palette::kGood);
+    labeled_text("Where", error->where, palette::kText);
+    labeled_text("Problem", error->problem, palette::kError);
+    labeled_text("Remedy", error->remedy, palette::kGood);
   }
   hint(panel, "The program continues with its previous state.");
   ImGui::Spacing();

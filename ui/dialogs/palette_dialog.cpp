@@ -39,12 +39,12 @@ PaletteItem item_of(const CommandInfo& info, const Panel& panel) {
 }
 
 /// Returns the commands that match, best first, then the macros that match.
-std::vector<PaletteItem> matching_items(const Panel& panel, std::string_view wanted) {
+std::vector<PaletteItem> matching_items(const Panel& panel, std::string_view query) {
   std::vector<PaletteItem> items;
-  for (const CommandInfo* info : matching_commands(wanted)) items.push_back(item_of(*info, panel));
+  for (const CommandInfo* info : matching_commands(query)) items.push_back(item_of(*info, panel));
   for (const std::filesystem::path& macro : panel.input.macros) {
     const std::string title = macro.stem().string();
-    if (match_score("Macro " + title, wanted))
+    if (match_score("Macro " + title, query))
       items.push_back({{.id = CommandId::play_macro, .path = macro},
                        "macro/" + title,
                        title,
@@ -85,8 +85,8 @@ bool text_field(Panel& panel) {
   Palette& palette = panel.state.palette;
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-FLT_MIN);
-  const bool entered = ImGui::InputTextWithHint("##wanted", "letters of a command", palette.text.data(),
-                                                palette.text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered = ImGui::InputTextWithHint("##query", "search commands", palette.text.data(), palette.text.size(),
+                                                ImGuiInputTextFlags_EnterReturnsTrue);
   if (ImGui::IsItemEdited()) palette.chosen = 0;
   tag_last_item(panel.tags, "palette/text", palette.text.data());
   return entered;
@@ -113,15 +113,15 @@ void draw_palette_dialog(Panel& panel) {
   if (!begin_dialog(panel, "Find a command", palette.shown, 560)) return;
   const bool entered = text_field(panel);
   const std::vector<PaletteItem> items = matching_items(panel, palette.text.data());
-  const PaletteItem* wanted = list_of_items(panel, items);
+  const PaletteItem* picked = list_of_items(panel, items);
   const PaletteItem* chosen = items.empty() ? nullptr : &items[static_cast<std::size_t>(palette.chosen)];
   describe(panel, chosen);
   if (entered) {
-    wanted = chosen;
+    picked = chosen;
     ImGui::SetKeyboardFocusHere(-1);
   }
-  const bool carried_out = wanted && wanted->disabled_reason.empty();
-  if (carried_out) issue(panel, wanted->command);
+  const bool carried_out = picked && picked->disabled_reason.empty();
+  if (carried_out) issue(panel, picked->command);
   if (carried_out || ImGui::IsKeyPressed(key::kEscape, false)) {
     palette = {};
     ImGui::CloseCurrentPopup();

@@ -13,9 +13,9 @@ void preference_row(Panel& panel, const char* tag, const char* label, const Numb
 /// Applies the size when the mouse is released: during the drag the field would move away from the cursor.
 void scale_row(Panel& panel) {
   EditorState& state = panel.state;
-  if (state.wanted_scale == 0) state.wanted_scale = state.preferences.ui_scale;
-  preference_row(panel, "preferences/ui_scale", "Panel size", kUiScales, state.wanted_scale);
-  if (!ImGui::IsAnyItemActive()) state.preferences.ui_scale = state.wanted_scale;
+  if (state.dragged_scale == 0) state.dragged_scale = state.preferences.ui_scale;
+  preference_row(panel, "preferences/ui_scale", "Interface scale", kUiScales, state.dragged_scale);
+  if (!ImGui::IsAnyItemActive()) state.preferences.ui_scale = state.dragged_scale;
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ void draw_preferences_dialog(Panel& panel) {
   preference_row(panel, "preferences/mouse_speed", "Mouse speed", kMouseSpeeds, preferences.mouse_speed);
   preference_row(panel, "preferences/autosave", "Autosave interval", kAutosaveIntervals, preferences.autosave_interval);
   preference_row(panel, "preferences/past_memory", "Memory for history", kPastMemories, preferences.past_memory);
-  tooltip("With more memory, fewer steps are repeated to go back in time.");
+  tooltip("With more memory, fewer steps are recomputed to go back in time.");
   checkbox(panel, "preferences/invert_orbit", "Invert vertical orbit", preferences.invert_orbit);
   checkbox(panel, "preferences/invert_zoom", "Invert wheel zoom", preferences.invert_zoom);
   ImGui::Spacing();
@@ -37,7 +37,7 @@ void draw_preferences_dialog(Panel& panel) {
   ImGui::SameLine();
   if (text_button(panel, "preferences/defaults", "Defaults", width)) {
     preferences = {};
-    state.wanted_scale = preferences.ui_scale;
+    state.dragged_scale = preferences.ui_scale;
     state.left_width = state.right_width = 0;
   }
   if (!state.show_preferences) ImGui::CloseCurrentPopup();

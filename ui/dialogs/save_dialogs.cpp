@@ -182,7 +182,7 @@ void draw_unsaved_dialog(Panel& panel) {
 void draw_recovery_dialog(Panel& panel) {
   const std::string& edits = panel.state.recoverable_edits;
   if (!begin_dialog(panel, "Recover unsaved edits", !edits.empty(), 520)) return;
-  ImGui::TextWrapped("Griffith ended before these edits were saved. A copy of them was kept:");
+  ImGui::TextWrapped("Griffith quit before these edits were saved. It kept a copy:");
   ImGui::TextWrapped("%s", edits.c_str());
   tag_last_item(panel.tags, "left_edits/text", edits);
   ImGui::Spacing();

@@ -159,20 +159,20 @@ void draw_scenes_dialog(Panel& panel) {
   const bool searched = search_field(panel, browser);
   const std::vector<const SceneCard*> cards = shown_cards(panel.input.scene_cards, browser.text.data());
   ImGui::BeginChild("##cards", {0, kWindowPart * window.y - kLinesAround * line});
-  const SceneCard* wanted = card_list(panel, cards, searched);
+  const SceneCard* picked = card_list(panel, cards, searched);
   ImGui::EndChild();
   const SceneCard* chosen = browser.chosen < cards.size() ? cards[browser.chosen] : nullptr;
   about(panel, chosen);
   const float width = 120 * scale;
-  if (text_button(panel, "scenes/open", "Open", width) || ImGui::IsKeyPressed(key::kEnter, false)) wanted = chosen;
+  if (text_button(panel, "scenes/open", "Open", width) || ImGui::IsKeyPressed(key::kEnter, false)) picked = chosen;
   ImGui::SameLine();
   const bool other = text_button(panel, "scenes/other", "Other file…", width);
   ImGui::SameLine();
   const bool cancelled =
       text_button(panel, "scenes/cancel", "Cancel", width) || ImGui::IsKeyPressed(key::kEscape, false);
-  if (wanted) issue(panel, {.id = CommandId::open, .path = wanted->file});
+  if (picked) issue(panel, {.id = CommandId::open, .path = picked->file});
   if (other) panel.state.show_open = true;
-  if (wanted || other || cancelled) {
+  if (picked || other || cancelled) {
     browser = {};
     ImGui::CloseCurrentPopup();
   }

@@ -39,29 +39,29 @@ std::string_view not_stopped_before_a_crack(const CommandContext& context) {
 }
 
 std::string_view nothing_fired(const CommandContext& context) {
-  return unless(context.state.last_shot.has_value(), "No shot was fired since the last one was added.");
+  return unless(context.state.last_shot.has_value(), "No shot has been fired since the last one was added.");
 }
 
 std::string_view no_body(const CommandContext& context) {
   return unless(!context.history.scene().bodies.empty(), "The scene has no body.");
 }
 
-std::string_view nothing_chosen(const CommandContext& context) {
+std::string_view nothing_selected(const CommandContext& context) {
   return unless(active_entry(context.state, context.history.scene()).has_value(),
                 "Nothing is selected in the outliner.");
 }
 
 std::string_view nothing_to_move_up(const CommandContext& context) {
   const Scene& scene = context.history.scene();
-  return unless(can_move(scene, chosen_entries(context.state, scene), -1), "No selected entry can move up.");
+  return unless(can_move(scene, selected_entries(context.state, scene), -1), "No selected entry can move up.");
 }
 
 std::string_view nothing_to_move_down(const CommandContext& context) {
   const Scene& scene = context.history.scene();
-  return unless(can_move(scene, chosen_entries(context.state, scene), 1), "No selected entry can move down.");
+  return unless(can_move(scene, selected_entries(context.state, scene), 1), "No selected entry can move down.");
 }
 
-std::string_view no_region_chosen(const CommandContext& context) {
+std::string_view no_region_selected(const CommandContext& context) {
   const Scene& scene = context.history.scene();
   const std::optional<SceneEntry> entry = active_entry(context.state, scene);
   return unless(context.state.paint_regions || (entry && region_of(scene, *entry)),
@@ -73,11 +73,12 @@ std::string_view nothing_with_a_name(const CommandContext& context) {
   return unless(entry && has_name(entry->kind), "No entry with a name is selected in the outliner.");
 }
 
-std::string_view no_body_chosen(const CommandContext& context) {
-  return unless(!chosen_bodies(context.state, context.history.scene()).empty(), "No body is selected in the outliner.");
+std::string_view no_body_selected(const CommandContext& context) {
+  return unless(!selected_bodies(context.state, context.history.scene()).empty(),
+                "No body is selected in the outliner.");
 }
 
-std::string_view no_camera_chosen(const CommandContext& context) {
+std::string_view no_camera_selected(const CommandContext& context) {
   const std::optional<SceneEntry> entry = active_entry(context.state, context.history.scene());
   return unless(entry && entry->kind == EntryKind::camera, "No camera is selected in the outliner.");
 }
@@ -87,11 +88,11 @@ std::string_view no_recoverable_edits(const CommandContext& context) {
 }
 
 std::string_view no_surface_named(const CommandContext& context) {
-  return unless(context.state.surface.path[0] != '\0', "No surface file is given.");
+  return unless(context.state.surface.path[0] != '\0', "No surface file has been chosen.");
 }
 
 std::string_view nothing_recorded(const CommandContext& context) {
-  return unless(context.time.last_step > context.time.first_step, "No step has been made yet.");
+  return unless(context.time.last_step > context.time.first_step, "No step has been simulated yet.");
 }
 
 std::string_view nothing_plotted(const CommandContext& context) {
@@ -108,7 +109,7 @@ bool shows_edges(const CommandContext& context) { return context.state.view.edge
 bool locks_range(const CommandContext& context) { return context.state.view.range.has_value(); }
 bool has_slice(const CommandContext& context) { return context.state.view.slice.has_value(); }
 bool hides_body(const CommandContext& context) {
-  const std::vector<std::string> bodies = chosen_bodies(context.state, context.history.scene());
+  const std::vector<std::string> bodies = selected_bodies(context.state, context.history.scene());
   const auto hidden = [&](const std::string& name) { return context.state.hidden_bodies.contains(name); };
   return !bodies.empty() && std::ranges::all_of(bodies, hidden);
 }

@@ -17,24 +17,24 @@ bool same_letter(char a, char b) {
 }
 
 /// Scores whole words of the help: scattered letters would match any sentence.
-std::optional<int> help_score(std::string_view hint, std::string_view wanted) {
-  return std::ranges::search(hint, wanted, same_letter).empty() ? std::nullopt : std::optional(0);
+std::optional<int> help_score(std::string_view hint, std::string_view query) {
+  return std::ranges::search(hint, query, same_letter).empty() ? std::nullopt : std::optional(0);
 }
 
-std::optional<int> command_score(const CommandInfo& info, std::string_view wanted) {
-  if (const std::optional<int> score = match_score(info.label, wanted)) return *score + kTitle;
+std::optional<int> command_score(const CommandInfo& info, std::string_view query) {
+  if (const std::optional<int> score = match_score(info.label, query)) return *score + kTitle;
   const std::string with_menu = std::string(menu_label(info.menu)) + " " + std::string(info.label);
-  if (const std::optional<int> score = match_score(with_menu, wanted)) return *score + kMenu;
-  return help_score(info.hint, wanted);
+  if (const std::optional<int> score = match_score(with_menu, query)) return *score + kMenu;
+  return help_score(info.hint, query);
 }
 
 }  // namespace
 
-std::optional<int> match_score(std::string_view text, std::string_view wanted) {
+std::optional<int> match_score(std::string_view text, std::string_view query) {
   int score = 0;
   std::size_t place = 0;
   bool follows = false;
-  for (const char letter : wanted) {
+  for (const char letter : query) {
     if (letter == ' ') continue;
     const std::size_t from = place;
     while (place < text.size() && !same_letter(text[place], letter)) ++place;
@@ -47,11 +47,11 @@ std::optional<int> match_score(std::string_view text, std::string_view wanted) {
   return score;
 }
 
-std::vector<const CommandInfo*> matching_commands(std::string_view wanted) {
+std::vector<const CommandInfo*> matching_commands(std::string_view query) {
   std::vector<std::pair<int, const CommandInfo*>> scored;
   for (const CommandInfo& info : command_registry()) {
     if (info.menu == Menu::none) continue;
-    if (const std::optional<int> score = command_score(info, wanted)) scored.emplace_back(*score, &info);
+    if (const std::optional<int> score = command_score(info, query)) scored.emplace_back(*score, &info);
   }
   std::ranges::stable_sort(scored, [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<const CommandInfo*> commands;

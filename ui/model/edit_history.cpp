@@ -46,13 +46,13 @@ void EditHistory::redo() {
   ++revision_;
 }
 
-bool EditHistory::go_to(const std::function<bool(const Scene&)>& wanted) {
+bool EditHistory::go_to(const std::function<bool(const Scene&)>& accepted) {
   finish();
   const std::size_t last = entries_.size();
   const auto found = [&](std::size_t place) {
-    return place <= last && wanted(place == applied_  ? scene_
-                                   : place < applied_ ? entries_[place].before
-                                                      : entries_[place - 1].after);
+    return place <= last && accepted(place == applied_  ? scene_
+                                     : place < applied_ ? entries_[place].before
+                                                        : entries_[place - 1].after);
   };
   std::size_t way = 0;
   while (way <= last && !found(applied_ - way) && !found(applied_ + way)) ++way;

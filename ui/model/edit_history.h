@@ -37,9 +37,9 @@ class EditHistory {
   void undo();
   void redo();
 
-  /// Undoes or redoes to the nearest scene that satisfies `wanted`; earlier scenes are tried first. Finishes an open
+  /// Undoes or redoes to the nearest scene that satisfies `accepted`; earlier scenes are tried first. Finishes an open
   /// entry first. False, with nothing else done, if there is none.
-  bool go_to(const std::function<bool(const Scene&)>& wanted);
+  bool go_to(const std::function<bool(const Scene&)>& accepted);
 
   /// Returns the entries, oldest first: those in force, then those that can be redone.
   const std::vector<EditEntry>& entries() const { return entries_; }

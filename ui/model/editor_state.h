@@ -143,7 +143,7 @@ struct EditorState {
   std::optional<Vec2> aimed_at;    ///< while a shot is aimed: point of the view, from its top left corner, 0..1
   std::optional<ProjectileBurst> last_shot;  ///< last shot with its time, until it is added to the scene
   int selected_body = 0;                     ///< index into Scene::bodies
-  std::vector<SceneEntry> entries;  ///< entries chosen in the outliner, in order of choice; empty: the selected body
+  std::vector<SceneEntry> entries;  ///< entries selected in the outliner, in that order; empty: the selected body
   std::optional<SceneEntry> listed_entry;  ///< the active entry when the outliner was drawn last
   std::optional<SceneEntry> renamed;       ///< entry whose name is being typed
   std::string new_name;
@@ -152,7 +152,7 @@ struct EditorState {
   std::array<char, 64> body_filter = {};      ///< text that the listed names or states contain
   FieldNote field_note;                       ///< message about the last edit, until the next click
   Selection selection;                        ///< picked in the view; follows the material through fracture
-  bool show_gizmo = false;                    ///< shows handles that move and rotate the chosen entries
+  bool show_gizmo = false;                    ///< shows handles that move and rotate the selected entries
   std::optional<RegionDrag> region_drag;      ///< while a grip of a region is dragged
   bool paint_regions = false;                 ///< the mouse paints the region of the active entry
   std::optional<RegionStroke> region_stroke;  ///< while a stroke is painted
@@ -179,7 +179,7 @@ struct EditorState {
       recoverable_edits;  ///< description of edits that can be recovered, while they wait for an answer; empty: none
   Preferences preferences;
   bool show_preferences = false;
-  double wanted_scale = 0;  ///< while it is dragged in the preferences; 0: not shown yet
+  double dragged_scale = 0;  ///< while it is dragged in the preferences; 0: not shown yet
   Palette palette;
   SceneBrowser browser;
   LogView log_view;

@@ -4,7 +4,7 @@
 
 namespace griffith::ui {
 
-std::vector<SceneEntry> chosen_entries(const EditorState& state, const Scene& scene) {
+std::vector<SceneEntry> selected_entries(const EditorState& state, const Scene& scene) {
   std::vector<SceneEntry> chosen = state.entries;
   if (chosen.empty()) chosen.push_back({EntryKind::body, state.selected_body});
   std::erase_if(chosen, [&](const SceneEntry& entry) { return !has_entry(scene, entry); });
@@ -12,18 +12,18 @@ std::vector<SceneEntry> chosen_entries(const EditorState& state, const Scene& sc
 }
 
 std::optional<SceneEntry> active_entry(const EditorState& state, const Scene& scene) {
-  const std::vector<SceneEntry> chosen = chosen_entries(state, scene);
+  const std::vector<SceneEntry> chosen = selected_entries(state, scene);
   return chosen.empty() ? std::nullopt : std::optional(chosen.back());
 }
 
-std::vector<std::string> chosen_bodies(const EditorState& state, const Scene& scene) {
+std::vector<std::string> selected_bodies(const EditorState& state, const Scene& scene) {
   std::vector<std::string> names;
-  for (const SceneEntry& entry : chosen_entries(state, scene))
+  for (const SceneEntry& entry : selected_entries(state, scene))
     if (entry.kind == EntryKind::body) names.push_back(entry_name(scene, entry));
   return names;
 }
 
-void choose_entries(EditorState& state, const Scene& scene, std::vector<SceneEntry> entries) {
+void select_entries(EditorState& state, const Scene& scene, std::vector<SceneEntry> entries) {
   state.selection = {};
   state.entries = std::move(entries);
   if (state.entries.empty()) return;
@@ -31,22 +31,22 @@ void choose_entries(EditorState& state, const Scene& scene, std::vector<SceneEnt
 }
 
 void toggle_entry(EditorState& state, const Scene& scene, const SceneEntry& entry) {
-  std::vector<SceneEntry> chosen = chosen_entries(state, scene);
+  std::vector<SceneEntry> chosen = selected_entries(state, scene);
   const bool was_chosen = std::erase(chosen, entry) > 0;
   if (!was_chosen || chosen.empty()) chosen.push_back(entry);
-  choose_entries(state, scene, std::move(chosen));
+  select_entries(state, scene, std::move(chosen));
 }
 
-void choose_range(EditorState& state, const Scene& scene, const std::vector<SceneEntry>& listed,
+void select_range(EditorState& state, const Scene& scene, const std::vector<SceneEntry>& listed,
                   const SceneEntry& entry) {
   const std::optional<SceneEntry> start = active_entry(state, scene);
   const auto end = std::ranges::find(listed, entry);
   const auto from = start ? std::ranges::find(listed, *start) : listed.end();
-  if (from == listed.end() || end == listed.end()) return choose_entries(state, scene, {entry});
+  if (from == listed.end() || end == listed.end()) return select_entries(state, scene, {entry});
   // The active entry stays last: the next range starts from it.
   std::vector<SceneEntry> range(std::min(from, end), std::max(from, end) + 1);
   if (from < end) std::ranges::reverse(range);
-  choose_entries(state, scene, std::move(range));
+  select_entries(state, scene, std::move(range));
 }
 
 }  // namespace griffith::ui

@@ -11,9 +11,10 @@ namespace {
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kGrazing = 0.05;  ///< sine of the angle below which rays and axes or planes count as parallel
 
-/// Returns equivalent angles, each within half a revolution of `wanted`.
-Vec3 near(const Vec3& degrees, const Vec3& wanted) {
-  return degrees.binaryExpr(wanted, [](double angle, double near) { return near + std::remainder(angle - near, 360); });
+/// Returns equivalent angles, each within half a revolution of `reference`.
+Vec3 near(const Vec3& degrees, const Vec3& reference) {
+  return degrees.binaryExpr(reference,
+                            [](double angle, double near) { return near + std::remainder(angle - near, 360); });
 }
 
 /// Rounds away digits that come from rounding errors alone.

@@ -83,11 +83,11 @@ struct NumberedName {
 };
 NumberedName numbered_name(const std::string& name);
 
-/// Returns the wanted name if no item has it, else the name with the next free number.
+/// Returns the preferred name if no item has it, else the name with the next free number.
 template <class T>
-std::string free_name(const std::vector<T>& items, const std::string& wanted) {
-  std::string free = wanted;
-  auto [name, number] = numbered_name(wanted);
+std::string free_name(const std::vector<T>& items, const std::string& preferred) {
+  std::string free = preferred;
+  auto [name, number] = numbered_name(preferred);
   while (std::ranges::find(items, free, &T::name) != items.end()) free = name + " " + std::to_string(++number);
   return free;
 }

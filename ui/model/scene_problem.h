@@ -22,7 +22,7 @@ struct ProblemView {
 
 /// Place in the editor that a JSON pointer names.
 struct FieldPlace {
-  std::optional<SceneEntry> entry;  ///< entry to choose in the outliner; none: a field of the scene itself
+  std::optional<SceneEntry> entry;  ///< entry to select in the outliner; none: a field of the scene itself
   std::string tag;                  ///< tag of the field: "entry/region"
   bool operator==(const FieldPlace&) const = default;
 };

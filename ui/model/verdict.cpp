@@ -41,7 +41,7 @@ std::string breaking(const CrackEvent& event, const char* unit) {
   std::string text = "Broke at " + format_quantity(event.time, "s", 3) + " (step " + std::to_string(step_of(event)) +
                      "): the load of " + format_quantity(event.load, unit, 3) + " was " +
                      percent(event.load / event.resistance) + " of the resistance.";
-  if (event.torn_off) text += " A support came off there.";
+  if (event.torn_off) text += " A support detached there.";
   return text;
 }
 
@@ -62,14 +62,14 @@ std::string under_load(const NodeState& state, const NodeReport& report, const F
   const std::string what = state.crack ? "The rest holds" : "Holds", share = percent(separation.utilization);
   switch (state.load) {
     case NodeState::Load::unmeasured:
-      return state.crack ? "The load on the rest has not been measured yet." : "No load has been measured here yet.";
+      return state.crack ? "The load on the rest has not been computed yet." : "No load has been computed here yet.";
     case NodeState::Load::none:
       return what + ": there is practically no load.";
     case NodeState::Load::above:
       return state.crack
                  ? "The rest is overloaded, at " + share +
                        " of its resistance, but has not separated: " + reason_unbroken(frame, fracture)
-                 : "Overloaded, at " + share + " of its resistance, but whole: " + reason_unbroken(frame, fracture);
+                 : "Overloaded, at " + share + " of its resistance, but intact: " + reason_unbroken(frame, fracture);
     case NodeState::Load::below:
     case NodeState::Load::near:
       break;

@@ -10,7 +10,7 @@ ViewRay ViewCamera::ray(const Vec2& pixel) const {
 
 std::optional<Vec2> ViewCamera::pixel(const Vec3& point) const {
   constexpr double kNearest =
-      1e-6;  // fraction of the distance below which a point counts as beside the eye and is not visible
+      1e-6;  // fraction of the distance below which a point counts as level with the eye and is not visible
   const Vec3 arm = point - eye;
   const double depth = arm.dot(forward);
   if (depth <= kNearest * arm.norm()) return std::nullopt;

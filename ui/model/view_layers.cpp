@@ -48,10 +48,10 @@ bool parts_at_zero(const ViewSettings& view) {
   return !view.range || std::abs(view.range->sum()) <= kSame * view.range->cwiseAbs().maxCoeff();
 }
 
-SlicePlane middle_slice(const Vec3& low, const Vec3& high, const Vec3& towards_eye) {
+SlicePlane middle_slice(const Vec3& low, const Vec3& high, const Vec3& toward_eye) {
   Eigen::Index axis = 0;
-  towards_eye.cwiseAbs().maxCoeff(&axis);
-  const Vec3 normal = towards_eye[axis] < 0 ? Vec3(-Vec3::Unit(axis)) : Vec3(Vec3::Unit(axis));
+  toward_eye.cwiseAbs().maxCoeff(&axis);
+  const Vec3 normal = toward_eye[axis] < 0 ? Vec3(-Vec3::Unit(axis)) : Vec3(Vec3::Unit(axis));
   return {normal, normal.dot(0.5 * (low + high))};
 }
 

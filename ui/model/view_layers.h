@@ -16,6 +16,6 @@ bool parts_at_zero(const ViewSettings& view);
 
 /// Returns a slice perpendicular to the axis that points most toward the eye, through the center of `low` and `high`
 /// [m]; it hides the nearer half. `toward_eye`: any length but 0.
-SlicePlane middle_slice(const Vec3& low, const Vec3& high, const Vec3& towards_eye);
+SlicePlane middle_slice(const Vec3& low, const Vec3& high, const Vec3& toward_eye);
 
 }  // namespace griffith::ui

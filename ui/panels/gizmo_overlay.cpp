@@ -72,10 +72,10 @@ void keep_in_range(Vec3& position) {
   position = position.cwiseMax(range.minimum).cwiseMin(range.maximum);
 }
 
-/// Returns the entries that move with the dragged one: all chosen ones except parts of a chosen body.
+/// Returns the entries that move with the dragged one: all selected ones except parts of a selected body.
 std::vector<SceneEntry> moved_with(const Panel& panel, const SceneEntry& entry) {
   const Scene& scene = panel.history.scene();
-  std::vector<SceneEntry> moved = chosen_entries(panel.state, scene);
+  std::vector<SceneEntry> moved = selected_entries(panel.state, scene);
   const std::vector<SceneEntry> chosen = moved;
   std::erase_if(moved, [&](const SceneEntry& other) {
     const std::optional<int> body = body_of(scene, other);

@@ -117,7 +117,7 @@ void library_rows(Panel& panel, const Material& material) {
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
   tag_last_item(panel.tags, "material/keep_as", "");
   field_tooltip(panel, "material/keep_as",
-                "Saves the material in the scene under this name, for its other bodies too.");
+                "Saves the material in the scene under this name, so that other bodies can use it.");
   if (entered && name[0] != 0) keep_as(panel, material, name.data());
   if (std::ranges::find(scene.materials, material.name, &Material::name) == scene.materials.end()) return;
   if (!text_button(panel, "material/forget", ("Delete preset " + material.name).c_str())) return;
@@ -140,8 +140,9 @@ void fracture_rows(Panel& panel, Material& material) {
   criterion_row(panel, material);
   if (material.criterion == FractureCriterion::separation_force) {
     number_row(panel, material,
-               {"separation_toughness", "Sep. toughness",
-                "τ: a node separates when the largest eigenvalue of its separation tensor exceeds it. Depends on the "
+               {"separation_toughness", "Toughness τ",
+                "Separation toughness: a node separates when the largest eigenvalue of its separation tensor exceeds "
+                "it. Depends on the "
                 "element size."},
                &Material::separation_toughness);
     return;
@@ -159,10 +160,10 @@ void fracture_rows(Panel& panel, Material& material) {
 void element_model_row(Panel& panel, Material& material) {
   const std::vector<std::string> names(kElementModels.begin(), kElementModels.end());
   const bool green = material.element_model == ElementModel::green_strain;
-  const int chosen = combo_row(panel, "material/element_model", "Strain", names, kElementModels[green]);
+  const int chosen = combo_row(panel, "material/element_model", "Strain measure", names, kElementModels[green]);
   if (chosen < 0) return;
   material.element_model = static_cast<ElementModel>(chosen);
-  keep(panel, {true, true}, "Set element model", material);
+  keep(panel, {true, true}, "Set strain measure", material);
 }
 
 void yield_rows(Panel& panel, Material& material) {
@@ -214,7 +215,7 @@ void draw_material_panel(Panel& panel) {
       {"young_modulus", "Young's modulus", "E: stiffness. Drag it, or click and type a value: 20, 20 GPa, 2*10 GPa."},
       &Material::young_modulus);
   number_row(panel, material,
-             {"poisson_ratio", "Poisson ratio",
+             {"poisson_ratio", "Poisson's ratio",
               "ν: lateral contraction over extension; below 0.5, the limit of incompressible materials."},
              &Material::poisson_ratio);
   number_row(panel, material, {"density", "Density", "ρ"}, &Material::density);

@@ -27,7 +27,7 @@ void apply_sorting(std::vector<BodyRow>& rows) {
   sort_rows(rows, static_cast<BodyColumn>(first.ColumnIndex), first.SortDirection == ImGuiSortDirection_Descending);
 }
 
-/// A column of numbers beside the names.
+/// A column of numbers next to the names.
 struct NumberColumn {
   const char* title;
   float min_width;  ///< design pixels
@@ -85,7 +85,7 @@ void scroll_to(Rows::difference_type row, float line) {
   if (top < ImGui::GetScrollY() || top + line > ImGui::GetScrollY() + room) ImGui::SetScrollY(top - room / 2);
 }
 
-/// Scrolls to the active entry if it was chosen elsewhere: in the view, by an edit, to be renamed.
+/// Scrolls to the active entry if it was selected elsewhere: in the view, by an edit, to be renamed.
 void follow_active(Panel& panel, const Rows& rows, float line) {
   const std::optional<SceneEntry> active = active_entry(panel.state, panel.history.scene());
   if (std::exchange(panel.state.listed_entry, active) == active || panel.state.list_pieces) return;
@@ -93,16 +93,16 @@ void follow_active(Panel& panel, const Rows& rows, float line) {
   if (row != rows.end()) scroll_to(row - rows.begin(), line);
 }
 
-/// Returns the row from which the arrow keys move: the active one, or the other end of a range chosen with Shift.
+/// Returns the row from which the arrow keys move: the active one, or the other end of a range selected with Shift.
 Rows::const_iterator row_of_keys(const Panel& panel, const Rows& rows) {
   if (panel.state.list_pieces)
     return std::ranges::find_if(rows, [&](const OutlinerRow& row) { return is_chosen(panel, row); });
-  const std::vector<SceneEntry> chosen = chosen_entries(panel.state, panel.history.scene());
+  const std::vector<SceneEntry> chosen = selected_entries(panel.state, panel.history.scene());
   if (chosen.empty()) return rows.end();
   return std::ranges::find(rows, ImGui::GetIO().KeyShift ? chosen.front() : chosen.back(), &OutlinerRow::entry);
 }
 
-/// Moves the choice with Up and Down, extends it with Shift, while the list has the focus.
+/// Moves the selection with Up and Down, extends it with Shift, while the list has the focus.
 void choose_by_keys(Panel& panel, const Rows& rows, float line) {
   const int direction = ImGui::IsKeyPressed(key::kDown) - ImGui::IsKeyPressed(key::kUp);
   const ImGuiIO& io = ImGui::GetIO();
@@ -110,7 +110,7 @@ void choose_by_keys(Panel& panel, const Rows& rows, float line) {
   const auto now = row_of_keys(panel, rows);
   const auto last = std::ssize(rows) - 1;
   const auto next = now == rows.end() ? 0 : std::clamp<Rows::difference_type>(now - rows.begin() + direction, 0, last);
-  choose_row(panel, rows, rows[static_cast<std::size_t>(next)]);
+  select_row(panel, rows, rows[static_cast<std::size_t>(next)]);
   scroll_to(next, line);
 }
 

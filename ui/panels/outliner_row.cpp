@@ -15,8 +15,8 @@
 namespace griffith::ui {
 namespace {
 
-void choose_piece(Panel& panel, const OutlinerRow& row) {
-  choose_entries(panel.state, panel.history.scene(), {row.entry});
+void select_piece(Panel& panel, const OutlinerRow& row) {
+  select_entries(panel.state, panel.history.scene(), {row.entry});
   const Frame& frame = panel.input.frame;
   const auto tet = std::ranges::find(frame.elements.bodies, row.body.piece);
   if (tet == frame.elements.bodies.end()) return;
@@ -30,25 +30,25 @@ void begin_renaming(Panel& panel, const SceneEntry& entry) {
 
 }  // namespace
 
-void choose_row(Panel& panel, const std::vector<OutlinerRow>& rows, const OutlinerRow& row) {
+void select_row(Panel& panel, const std::vector<OutlinerRow>& rows, const OutlinerRow& row) {
   const Scene& scene = panel.history.scene();
-  if (row.body.piece.valid()) return choose_piece(panel, row);
+  if (row.body.piece.valid()) return select_piece(panel, row);
   if (ImGui::GetIO().KeyCtrl) return toggle_entry(panel.state, scene, row.entry);
   if (!ImGui::GetIO().KeyShift) {
     // Two quick clicks are no double click if a second row took the place of the first.
-    const bool again = chosen_entries(panel.state, scene) == std::vector{row.entry};
-    choose_entries(panel.state, scene, {row.entry});
+    const bool again = selected_entries(panel.state, scene) == std::vector{row.entry};
+    select_entries(panel.state, scene, {row.entry});
     if (again && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) begin_renaming(panel, row.entry);
     return;
   }
   std::vector<SceneEntry> listed;
   for (const OutlinerRow& other : rows) listed.push_back(other.entry);
-  choose_range(panel.state, scene, listed, row.entry);
+  select_range(panel.state, scene, listed, row.entry);
 }
 
 bool is_chosen(const Panel& panel, const OutlinerRow& row) {
   if (!row.body.piece.valid())
-    return std::ranges::count(chosen_entries(panel.state, panel.history.scene()), row.entry) > 0;
+    return std::ranges::count(selected_entries(panel.state, panel.history.scene()), row.entry) > 0;
   const Selection& selection = panel.state.selection;
   return selection.valid() && panel.input.frame.elements.bodies[selection.tet] == row.body.piece;
 }
@@ -69,11 +69,11 @@ void row_tooltip(const OutlinerRow& row) {
       (row.body.broke_scaled ? "\nBroke at " + row.body.mark() + ". " + stand_in_text(*row.body.broke_scaled) : ""));
 }
 
-/// Draws the context menu of the chosen entries.
+/// Draws the context menu of the selected entries.
 void context_menu(Panel& panel, const OutlinerRow& row) {
   if (!ImGui::BeginPopupContextItem(nullptr)) return;
   if (ImGui::IsWindowAppearing() && !is_chosen(panel, row))
-    choose_entries(panel.state, panel.history.scene(), {row.entry});
+    select_entries(panel.state, panel.history.scene(), {row.entry});
   close_on_escape();
   const auto items = [&](std::initializer_list<CommandId> ids) {
     for (const CommandId id : ids) command_menu_item(panel, command_info(id), "context/");
@@ -162,7 +162,7 @@ bool icon_cell(Panel& panel, const OutlinerRow& row, Icon icon, const std::strin
   const ImVec2 low = ImGui::GetItemRectMin();
   const ImU32 color = ImGui::IsItemHovered() ? palette::kText : palette::kTextDim;
   draw_icon(ImGui::GetWindowDrawList(), icon, {low.x + size / 2, low.y + size / 2}, 0.9f * size, color);
-  if (clicked) choose_entries(panel.state, panel.history.scene(), {row.entry});
+  if (clicked) select_entries(panel.state, panel.history.scene(), {row.entry});
   return clicked;
 }
 
@@ -189,7 +189,7 @@ void body_cells(Panel& panel, const OutlinerRow& row, bool hidden) {
   if (!row.body.piece.valid()) eye_cell(panel, row, hidden);
 }
 
-/// Draws a bar at the left end of a chosen row, brightest in the active one.
+/// Draws a bar at the left end of a selected row, brightest in the active one.
 void mark_chosen(const Panel& panel, const OutlinerRow& row) {
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const bool active = row.body.piece.valid() || active_entry(panel.state, panel.history.scene()) == row.entry;
@@ -209,7 +209,7 @@ void draw_outliner_row(Panel& panel, const std::vector<OutlinerRow>& rows, const
   constexpr ImGuiSelectableFlags kFlags = ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap |
                                           ImGuiSelectableFlags_AllowDoubleClick;
   const bool chosen = is_chosen(panel, row);
-  if (ImGui::Selectable(("###" + row.tag).c_str(), chosen, kFlags)) choose_row(panel, rows, row);
+  if (ImGui::Selectable(("###" + row.tag).c_str(), chosen, kFlags)) select_row(panel, rows, row);
   tag_last_item(panel.tags, row.tag, row.name);
   if (chosen) mark_chosen(panel, row);
   draw_name(panel, row, width, hidden);

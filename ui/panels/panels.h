@@ -11,7 +11,7 @@ namespace griffith::ui {
 void draw_menu_bar(Panel& panel);
 /// Draws run, pause, step, reset, slow motion and time.
 void draw_toolbar(Panel& panel);
-/// Draws the parts of the scene, or the pieces of its bodies, with their state, to be chosen, renamed and hidden.
+/// Draws the parts of the scene, or the pieces of its bodies, with their state, to be selected, renamed and hidden.
 void draw_outliner_panel(Panel& panel);
 /// Draws the fields of the active entry; for a body its material and other fields.
 void draw_entry_panel(Panel& panel);
@@ -41,7 +41,7 @@ void draw_problem_panel(Panel& panel);
 std::string problem_count_text(std::span<const SceneProblem> problems);
 /// Returns the color of messages of a level.
 ImU32 level_color(LogLevel level);
-/// Draws the text of a script beside the widget to which it refers, with buttons to continue or end.
+/// Draws the text of a script next to the widget to which it refers, with buttons to continue or end.
 void draw_caption(Panel& panel);
 /// Draws the last message.
 void draw_status_bar(Panel& panel);

@@ -92,7 +92,7 @@ std::string value_text(const Panel& panel, std::size_t curve, std::int64_t step)
          text_in(panel.input.comparison->curves);
 }
 
-/// Shows the values of all curves at a step beside the mouse.
+/// Shows the values of all curves at a step next to the mouse.
 void values_tooltip(Panel& panel, std::int64_t step) {
   const RunCurves& curves = panel.input.curves;
   const bool recorded = row_of(curves, step).has_value();
@@ -129,10 +129,10 @@ void follow_wheel(Panel& panel, const PlotView& view) {
   const StepSpan whole{panel.input.time.first_step, panel.input.time.last_step}, shown = shown_steps(panel);
   const double length = kPartMoved * static_cast<double>(shown.last - shown.first);
   const float notches = io.KeyShift ? -turned : aside;
-  const StepSpan wanted = notches != 0
-                              ? moved(shown, whole, std::llround(static_cast<double>(notches) * std::max(1.0, length)))
-                              : zoomed(shown, whole, view.step_at(place), std::pow(kFactor, turned));
-  panel.state.plots.zoom = wanted == whole ? std::nullopt : std::optional(wanted);
+  const StepSpan changed = notches != 0
+                               ? moved(shown, whole, std::llround(static_cast<double>(notches) * std::max(1.0, length)))
+                               : zoomed(shown, whole, view.step_at(place), std::pow(kFactor, turned));
+  panel.state.plots.zoom = changed == whole ? std::nullopt : std::optional(changed);
 }
 
 /// Returns the parts of the curves in the shown steps.

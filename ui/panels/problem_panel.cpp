@@ -9,10 +9,10 @@ namespace {
 /// Frames in which panels unfold the field, find its position and scroll there.
 constexpr int kFramesToSeek = 4;
 
-/// Chooses the entry of the problem, and shows its field with the problem beside it.
+/// Selects the entry of the problem, and shows its field with the problem next to it.
 void go_to_field(Panel& panel, const SceneProblem& problem) {
   const FieldPlace place = field_place(panel.history.scene(), problem.pointer);
-  if (place.entry) choose_entries(panel.state, panel.history.scene(), {*place.entry});
+  if (place.entry) select_entries(panel.state, panel.history.scene(), {*place.entry});
   panel.state.sought = {place.tag, kFramesToSeek};
   panel.state.field_note = {place.tag, problem.text + (problem.remedy.empty() ? "" : ": " + problem.remedy) + "."};
 }

@@ -89,7 +89,7 @@ void mass_rows(Panel& panel, ProjectileBurst& shot) {
     number_row<ProjectileBurst>(panel, "projectile/mass", "Mass", "mass", shot.mass);
   }
   bool by_density = shot.density.has_value();
-  if (!checkbox(panel, "projectile/by_density", "Mass by density", by_density)) return;
+  if (!checkbox(panel, "projectile/by_density", "Mass from density", by_density)) return;
   shot.density = by_density ? std::optional(kDensityOfSteel) : std::nullopt;
 }
 
@@ -113,7 +113,7 @@ const std::array<ShotPreset, 6>& shot_presets() {
 void preset_row(Panel& panel, ProjectileBurst& shot) {
   std::vector<std::string> names;
   for (const ShotPreset& preset : shot_presets()) names.emplace_back(preset.name);
-  const int chosen = combo_row(panel, "projectile/preset", "Shot", names, "choose…");
+  const int chosen = combo_row(panel, "projectile/preset", "Shot preset", names, "choose…");
   if (chosen < 0) return;
   const ShotPreset& preset = shot_presets()[static_cast<std::size_t>(chosen)];
   shot.radius = preset.radius;

@@ -36,7 +36,8 @@ void broke_scaled_row(const Panel& panel) {
   int pieces = 0;
   for (const ScaledBreak& broken : breaks) pieces += broken.pieces;
   const auto least = std::ranges::min_element(breaks, {}, [](const ScaledBreak& one) { return one.least.factor; });
-  value_row(panel, "Broke scaled", count_text(pieces) + " pieces, " + scale_text(least->least), palette::kWarning);
+  value_row(panel, "Broke while scaled", count_text(pieces) + " pieces, " + scale_text(least->least),
+            palette::kWarning);
   tooltip(stand_in_text(least->least));
 }
 

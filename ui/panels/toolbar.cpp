@@ -95,7 +95,7 @@ void times(const Panel& panel, float end) {
   show("toolbar/step_time");
   if (!panel.state.running) return;  // the window draws only when something changes, so no time passes
   const double pictures = panel.input.frames_per_second;
-  std::snprintf(text, sizeof text, pictures < 10 ? "%.2g pictures/s" : "%.0f pictures/s", pictures);
+  std::snprintf(text, sizeof text, pictures < 10 ? "%.2g fps" : "%.0f fps", pictures);
   show("toolbar/pictures");
   if (panel.input.reached_speed <= 0) return;
   std::snprintf(text, sizeof text, "%.2g × real time", panel.input.reached_speed);

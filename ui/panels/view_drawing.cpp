@@ -50,8 +50,8 @@ void draw_readout(const Panel& panel, ImDrawList* list, const std::string& text)
   const float scale = ui_scale(panel), pad = 8 * scale;
   const ImVec2 extent = ImGui::CalcTextSize(text.c_str()), mouse = ImGui::GetIO().MousePos;
   const ImVec2 minimum = panel.state.viewport_minimum, size = panel.state.viewport_size;
-  const auto within = [pad](float wanted, float low, float room, float need) {
-    return std::max(low + pad, std::min(wanted, low + room - need - 2 * pad));
+  const auto within = [pad](float preferred, float low, float room, float need) {
+    return std::max(low + pad, std::min(preferred, low + room - need - 2 * pad));
   };
   const ImVec2 low = {within(mouse.x + 18 * scale, minimum.x, size.x, extent.x),
                       within(mouse.y + 18 * scale, minimum.y, size.y, extent.y)};

@@ -48,19 +48,20 @@ void range_rows(Panel& panel) {
   constexpr std::array kTags = {"view/range_minimum", "view/range_maximum"}, kLabels = {"From", "To"};
   for (std::size_t i = 0; i < 2; ++i) {
     const auto end = static_cast<Eigen::Index>(i);
-    Vec2 wanted = range;
+    Vec2 edited = range;
     const Edit edit = number_field_row(panel,
                                        {.tag = kTags[i],
                                         .label = kLabels[i],
                                         .numbers = numbers,
                                         .prefix = prefix,
                                         .vector_magnitude = range.cwiseAbs().maxCoeff()},
-                                       wanted[end]);
+                                       edited[end]);
     if (!edit.changed) continue;
-    if (wanted[0] < wanted[1])
-      range = wanted;
+    if (edited[0] < edited[1])
+      range = edited;
     else
-      panel.state.field_note = {kTags[i], "The range must begin below its end; it was not changed."};
+      panel.state.field_note = {kTags[i],
+                                "The lower end of the range must be below its upper end; it was not changed."};
   }
 }
 
@@ -97,7 +98,7 @@ void slice_rows(Panel& panel) {
   if (!panel.state.view.slice) return;
   row_label(panel, "Align");
   const std::pair<const char*, Vec3> axes[] = {
-      {"X", Vec3::UnitX()}, {"Y", Vec3::UnitY()}, {"Z", Vec3::UnitZ()}, {"Eye", panel.input.towards_eye}};
+      {"X", Vec3::UnitX()}, {"Y", Vec3::UnitY()}, {"Z", Vec3::UnitZ()}, {"Eye", panel.input.toward_eye}};
   for (const auto& [name, normal] : axes) {
     if (normal != axes[0].second) ImGui::SameLine();
     if (text_button(panel, ("view/slice_" + std::string(name)).c_str(), name)) align_slice(panel, normal);

@@ -11,7 +11,7 @@ struct Box {
   ImVec2 low, high;
 };
 
-/// Placement of text about an item: beside the item's window if a side has room, else below or above the item; on the
+/// Placement of text about an item: next to the item's window if a side has room, else below or above the item; on the
 /// screen, and never over the item.
 class BubblePlace {
  public:
@@ -32,10 +32,10 @@ class BubblePlace {
   bool to_the_right_ = false, beside_ = false;
 };
 
-/// Draws text beside the last item, over everything else, with a border of that color.
+/// Draws text next to the last item, over everything else, with a border of that color.
 void draw_bubble(std::string_view text, ImU32 border);
 
-/// Shows `text` beside the last item while the mouse rests on it.
+/// Shows `text` next to the last item while the mouse rests on it.
 void tooltip(std::string_view text);
 
 }  // namespace griffith::ui

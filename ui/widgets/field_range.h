@@ -9,12 +9,12 @@ namespace griffith::ui {
 
 /// Archive for describe() that finds the accepted range of a number.
 struct RangeFinder {
-  std::string_view wanted;
+  std::string_view searched;
   Numbers found = {};
 
   template <class T>
   void field(std::string_view name, T&, const Numbers& numbers, std::string_view) {
-    if (name == wanted) found = numbers;
+    if (name == searched) found = numbers;
   }
   template <class T, class Values>
   void field(std::string_view, T&, const Values&, std::string_view) {}

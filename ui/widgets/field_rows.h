@@ -167,14 +167,14 @@ class FieldRows {
   template <int N, int Options>
   void draw(const FieldRow& row, Eigen::Matrix<double, N, 1, Options>& vector, const Numbers& numbers,
             const SiPrefix& prefix) {
-    Eigen::Matrix<double, N, 1, Options> wanted = vector;
-    Edit edit = draw_field(panel_, row, numbers, std::span<double>(wanted.data(), N), prefix);
+    Eigen::Matrix<double, N, 1, Options> edited = vector;
+    Edit edit = draw_field(panel_, row, numbers, std::span<double>(edited.data(), N), prefix);
     const FieldRow first{row.tag + "/0", row.label, row.description};
-    if (edit.changed && numbers.nonzero && wanted.isZero(0)) {
-      panel_.state.field_note = {first.tag, "Not all components can be 0; it was not changed."};
+    if (edit.changed && numbers.nonzero && edited.isZero(0)) {
+      panel_.state.field_note = {first.tag, "The components cannot all be 0; the value was not changed."};
       edit.changed = false;
     }
-    if (edit.changed) vector = wanted;
+    if (edit.changed) vector = edited;
     note(first, edit);
   }
   void draw(const FieldRow& row, bool& value, Flag flag) { note(row, draw_field(panel_, row, flag, value)); }

@@ -14,14 +14,17 @@
 namespace griffith::ui {
 namespace {
 
+/// Returns the label without the unit at its end, which the row shows elsewhere.
+std::string label_without_unit(const FieldRow& row) { return row.label.substr(0, row.label.find(" degrees")); }
+
 NumberField number_field_of(const FieldRow& row, const Numbers& numbers) {
-  return {.tag = row.tag, .label = row.label, .numbers = numbers, .tooltip = row.description};
+  return {.tag = row.tag, .label = label_without_unit(row), .numbers = numbers, .tooltip = row.description};
 }
 
 /// Returns the label of a row of several numbers with their unit: "Size [mm]".
 std::string label_with_unit(const FieldRow& row, const SiPrefix& prefix, const Numbers& numbers) {
   const std::string unit = std::string(prefix.symbol) + std::string(unit_symbol(numbers));
-  const std::string label = row.label.substr(0, row.label.find(" degrees"));
+  const std::string label = label_without_unit(row);
   return unit.empty() ? label : label + " [" + unit + "]";
 }
 

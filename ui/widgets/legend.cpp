@@ -13,11 +13,11 @@ namespace {
 constexpr float kLowest = 90;   // height of a card, in design pixels
 constexpr float kPadding = 12;  // design pixels between the card's edge and its content
 
-/// Returns 1, 2, 2.5 or 5 times a power of ten, at least `wanted`.
-double tick_step(double wanted) {
-  const double power = std::pow(10, std::floor(std::log10(wanted)));
+/// Returns 1, 2, 2.5 or 5 times a power of ten, at least `minimum`.
+double tick_step(double minimum) {
+  const double power = std::pow(10, std::floor(std::log10(minimum)));
   for (const double factor : {1.0, 2.0, 2.5, 5.0}) {
-    if (factor * power >= wanted * (1 - 1e-9)) return factor * power;
+    if (factor * power >= minimum * (1 - 1e-9)) return factor * power;
   }
   return 10 * power;
 }

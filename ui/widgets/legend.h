@@ -41,7 +41,7 @@ bool legend_fits(const ScreenArea& picture, float scale);
 /// range must not be empty; `count` >= 1.
 std::vector<double> legend_ticks(double minimum, double maximum, double count);
 
-/// Returns the number of ticks beside a bar of this height whose numbers do not touch. Both in pixels.
+/// Returns the number of ticks next to a bar of this height whose numbers do not touch. Both in pixels.
 double legend_tick_count(double bar_height, double text_height);
 
 /// Returns the title with the unit and prefix of the ticks: "Von Mises stress [MPa]".

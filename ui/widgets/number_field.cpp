@@ -95,10 +95,10 @@ Edit take_typed(Panel& panel, const NumberField& field, double& value) {
     panel.state.field_note = {field.tag, problem + " The value was not changed."};
     return {};
   }
-  const double wanted = std::clamp(*parsed, field.numbers.minimum, field.numbers.maximum);
-  if (wanted != *parsed) panel.state.field_note = {field.tag, clamped_note(*parsed, field.numbers)};
-  const bool changed = wanted != value;
-  value = wanted;
+  const double clamped = std::clamp(*parsed, field.numbers.minimum, field.numbers.maximum);
+  if (clamped != *parsed) panel.state.field_note = {field.tag, clamped_note(*parsed, field.numbers)};
+  const bool changed = clamped != value;
+  value = clamped;
   return {changed, changed};
 }
 
@@ -159,14 +159,14 @@ Edit drag_on(Panel& panel, const NumberField& field, double& value) {
     edit.moved = static_cast<double>(way - std::copysign(threshold, way)) * pace.factor();
   }
   if (edit.kind != Kind::dragged) return {};
-  const double wanted = dragged_number({.value = edit.start,
-                                        .numbers = field.numbers,
-                                        .whole = field.whole,
-                                        .vector_magnitude = field.vector_magnitude,
-                                        .usual = field.usual},
-                                       edit.moved, pace);
-  const bool changed = wanted != value;
-  value = wanted;
+  const double dragged = dragged_number({.value = edit.start,
+                                         .numbers = field.numbers,
+                                         .whole = field.whole,
+                                         .vector_magnitude = field.vector_magnitude,
+                                         .usual = field.usual},
+                                        edit.moved, pace);
+  const bool changed = dragged != value;
+  value = dragged;
   return {changed, false};
 }
 

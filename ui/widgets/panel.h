@@ -29,7 +29,7 @@ struct EditorInput {
   Aim aim;                                              ///< predicted flight of the aimed shot
   std::span<const UtilizationSample> utilizations;      ///< past of the selected node, oldest first
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();         ///< bounding box of the bodies [m]
-  Vec3 towards_eye = Vec3::UnitZ();                     ///< direction from the camera's target
+  Vec3 toward_eye = Vec3::UnitZ();                      ///< direction from the camera's target
   std::span<const std::filesystem::path> scene_files;   ///< scenes that can be opened
   std::span<const SceneCard> scene_cards;               ///< their cards, while the browser is shown
   std::span<const std::filesystem::path> recent_files;  ///< recently opened or saved, newest first
