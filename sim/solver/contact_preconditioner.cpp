@@ -46,6 +46,13 @@ void add_symmetric(const Eigen::SparseMatrix<double>& lower, int first, BlockSpa
     }
 }
 
+/// Adds a matrix of 3×3 blocks from a row on.
+void add_matrix(const BlockSparseMatrix& a, int first, BlockSparseMatrix& matrix) {
+  for (int row = 0; row < a.rows(); ++row)
+    for (int k = a.row_starts[row]; k < a.row_starts[row + 1]; ++k)
+      matrix.blocks[matrix.slot(first + row, first + a.columns[k])] += a.blocks[k];
+}
+
 /// Adds a symmetric matrix from a row on.
 void add_symmetric(const Eigen::MatrixXd& block, int first, BlockSparseMatrix& matrix) {
   for (int i = 0; 3 * i < block.rows(); ++i)
@@ -70,6 +77,12 @@ Mat3 inverse_diagonal(const DeformableInertia& body, int row) {
   return Mat3::Identity() / body.masses[row];
 }
 
+/// True if the dense matrix of touched rows takes more operations to factor than the sparse one of all rows.
+bool condensing_costs_more(const FactorPreconditioner& factors, std::size_t touched) {
+  const double unknowns = 3 * static_cast<double>(touched);
+  return unknowns * unknowns * unknowns / 3 > static_cast<double>(factors.plan().operations());
+}
+
 int aggregate_count(const DeformableInertia& body) {
   return body.matrix && body.preconditioner->has_coarse_space() ? body.preconditioner->aggregate_count() : 0;
 }
@@ -77,6 +90,7 @@ int aggregate_count(const DeformableInertia& body) {
 }  // namespace
 
 int ContactPreconditioner::BodyUnknowns::row_unknown(int row) const {
+  if (has_all_rows) return first_touched + 3 * row;
   return first_touched + 3 * static_cast<int>(std::ranges::lower_bound(touched, row) - touched.begin());
 }
 
@@ -98,7 +112,8 @@ ContactPreconditioner::ContactPreconditioner(std::span<const DeformableInertia> 
 void ContactPreconditioner::reduce_coarse_spaces() {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (const FactorPreconditioner* factors = deformable_[i].factors; factors && factors->exists()) {
-      bodies_[i].inverse.emplace(deformable_[i], bodies_[i].touched);
+      bodies_[i].has_all_rows = condensing_costs_more(*factors, bodies_[i].touched.size());
+      if (!bodies_[i].has_all_rows) bodies_[i].inverse.emplace(deformable_[i], bodies_[i].touched);
       continue;
     }
     if (aggregate_count(deformable_[i]) == 0) continue;
@@ -116,7 +131,8 @@ void ContactPreconditioner::number_unknowns() {
     BodyUnknowns& body = bodies_[i];
     body.offset = rigid_offset_;
     body.first_touched = unknowns_;
-    body.first_aggregate = unknowns_ + 3 * static_cast<int>(body.touched.size());
+    body.first_aggregate =
+        unknowns_ + 3 * (body.has_all_rows ? deformable_[i].rows() : static_cast<int>(body.touched.size()));
     unknowns_ = body.first_aggregate + (body.reduction ? 6 * body.reduction->kept() : 0);
     if (body.inverse) unknowns_ = body.first_touched + body.inverse->size();
     rigid_offset_ += 3 * deformable_[i].rows();
@@ -158,8 +174,15 @@ void ContactPreconditioner::build_jacobian(std::span<const FrictionContact> cont
 void ContactPreconditioner::build_pattern() {
   Pattern pattern(unknowns_ / 3);
   for (int row = 0; row < unknowns_ / 3; ++row) pattern[row].push_back(row);
-  for (const BodyUnknowns& body : bodies_) {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const BodyUnknowns& body = bodies_[i];
     const int first = body.first_touched / 3, first_aggregate = body.first_aggregate / 3;
+    if (body.has_all_rows) {
+      const BlockSparseMatrix& a = *deformable_[i].matrix;
+      for (int row = 0; row < a.rows(); ++row)
+        for (int k = a.row_starts[row]; k < a.row_starts[row + 1]; ++k)
+          pattern[first + row].push_back(first + a.columns[k]);
+    }
     if (body.inverse) {
       const int touched = body.inverse->rows() / 3, whole = body.inverse->size() / 3 - touched;
       add_blocks(first, touched, first, touched, pattern);
@@ -186,6 +209,10 @@ void ContactPreconditioner::add_inertia() {
       add_symmetric(body.inverse->stiffness(), body.first_touched / 3, matrix_);
       if (deformable_[i].whole.exists())
         add_symmetric(Eigen::MatrixXd::Identity(6, 6), body.first_aggregate / 3, matrix_);
+      continue;
+    }
+    if (body.has_all_rows) {
+      add_matrix(*deformable_[i].matrix, body.first_touched / 3, matrix_);
       continue;
     }
     for (const int row : body.touched)
@@ -276,6 +303,11 @@ void ContactPreconditioner::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) 
       reduced.segment(body.first_touched, body.inverse->size()) = body.inverse->restrict(of_body, of_factors[i]);
       continue;
     }
+    if (body.has_all_rows) {
+      const int size = 3 * deformable_[i].rows();
+      reduced.segment(body.first_touched, size) = r.segment(body.offset, size);
+      continue;
+    }
     for (const int row : body.touched) reduced.segment<3>(body.row_unknown(row)) = r.segment<3>(body.offset + 3 * row);
     if (!body.reduction) continue;
     coarse[i] = coarse_residual(*deformable_[i].preconditioner, r.segment(body.offset, 3 * deformable_[i].rows()));
@@ -291,6 +323,10 @@ void ContactPreconditioner::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) 
     if (body.inverse) {
       body.inverse->extend(solved.segment(body.first_touched, body.inverse->size()), std::move(of_factors[i]),
                            Eigen::Map<NodeVectors>(of_body.data(), 3, deformable_[i].rows()));
+      continue;
+    }
+    if (body.has_all_rows) {
+      of_body = solved.segment(body.first_touched, of_body.size());
       continue;
     }
     for (int row = 0; row < deformable_[i].rows(); ++row)

@@ -22,7 +22,8 @@ namespace griffith {
 /// is factored without the nodes that nothing touches, whose y follows alone, and, where they are few, with the
 /// aggregates alone that contacts touch (CoarseReduction). The number of iterations so depends on
 /// the stiffness of the contacts as little as on that of the bodies (fictitious space lemma: Nepomnyaschikh 1991).
-/// Where a body has factors, its touched rows alone take part, with their Schur complement (TouchedInverse).
+/// Where a body has factors, its touched rows alone take part, with their Schur complement (TouchedInverse); where so
+/// many are touched that this costs more than the sparse matrix A itself, all rows do, with A.
 /// Rigid bodies are aggregates without local displacements, solved exactly.
 class ContactPreconditioner {
  public:
@@ -42,6 +43,7 @@ class ContactPreconditioner {
     std::vector<int> touched;                  ///< rows, ascending
     std::optional<CoarseReduction> reduction;  ///< none without a coarse space
     std::optional<TouchedInverse> inverse;     ///< condensed factors of a body that has some
+    bool has_all_rows = false;                 ///< the unknowns are those of the body's matrix
     int first_touched = 0, first_aggregate = 0;
     int offset = 0;  ///< in the vector of all velocities
     int row_unknown(int row) const;

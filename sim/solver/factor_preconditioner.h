@@ -29,6 +29,7 @@ class FactorPreconditioner {
   void count_iterations(int iterations);
   /// False before the first update() and where A was not positive definite.
   bool exists() const { return state_ != nullptr; }
+  const EliminationPlan& plan() const { return *plan_; }
   /// Returns r·z.
   double apply(const NodeVectors& r, NodeVectors& z) const;
 

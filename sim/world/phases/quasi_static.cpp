@@ -19,7 +19,7 @@ bool is_driven(const WorldState& world, const Body& body) {
 /// True if a body cannot deform visibly before it breaks: a beam of length l and thickness t that carries a load in its
 /// middle has bent by ε l²/(6 t) where its surface reaches the strain ε.
 bool hardly_deforms(const WorldState& world, const Body& body) {
-  constexpr double kVisible = 2e-3;  // of its extent
+  constexpr double kVisible = 5e-3;  // of its extent
   const Material& material = world.material_of(body);
   const double thickness = body.motion.mass / material.density / (body.extent * body.extent);
   const double strain = min_breaking_stress(world, body, false) / material.young_modulus;
