@@ -78,15 +78,23 @@ std::size_t surviving_piece(const WorldState& world, const std::vector<std::vect
   return best;
 }
 
+constexpr double kVisibleStrain = 1e-3;
+
+/// Speed of nodes below which waves do not come near a stress [m/s]: half of the σ/(ρc) that makes it.
+double speed_of_waves(const Material& material, double stress) {
+  constexpr double kFraction = 0.5;
+  return kFraction * stress / (material.density * bar_wave_speed(material));
+}
+
 }  // namespace
 
 double damage_speed(const WorldState& world, const Body& body) {
-  // Slower meetings do not come near the breaking speed sigma_t / (rho c).
-  constexpr double kFractionOfBreakingSpeed = 0.5;
   if (body.tets.size() == 1) return std::numeric_limits<double>::infinity();
-  const Material& material = world.material_of(body);
-  const double stress = min_breaking_stress(world, body, false);
-  return kFractionOfBreakingSpeed * stress / (material.density * bar_wave_speed(material));
+  return speed_of_waves(world.material_of(body), min_breaking_stress(world, body, false));
+}
+
+double noticeable_speed(const WorldState& world, const Body& body) {
+  return speed_of_waves(world.material_of(body), min_noticeable_stress(world, body, false));
 }
 
 double hurting_speed(const WorldState& world, const Body& body) {
@@ -102,6 +110,21 @@ double min_breaking_stress(const WorldState& world, const Body& body, bool at_cr
   const double minimum = body.weakest_fraction * resistance(material, at_crack_front, body.element_size);
   const bool is_force = material.criterion == FractureCriterion::separation_force;
   return is_force ? minimum / (body.element_size * body.element_size) : minimum;
+}
+
+double min_noticeable_stress(const WorldState& world, const Body& body, bool at_crack_front) {
+  return std::min(min_breaking_stress(world, body, at_crack_front),
+                  kVisibleStrain * world.material_of(body).young_modulus);
+}
+
+bool deforms_visibly(const WorldState& world, const Body& body) {
+  return min_breaking_stress(world, body, false) > kVisibleStrain * world.material_of(body).young_modulus;
+}
+
+bool sags_visibly(const WorldState& world, const Body& body) {
+  const Material& material = world.material_of(body);
+  const double stress = material.density * world.model->scene.gravity.norm() * body.extent;
+  return stress > kVisibleStrain * material.young_modulus;
 }
 
 void clear_stress(WorldState& world, const Body& body) {

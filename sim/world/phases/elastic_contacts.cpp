@@ -63,6 +63,9 @@ class GroupBuilder {
 
   Group build(std::vector<int> contacts) {
     Group group;
+    double fastest = 0;
+    for (const int contact : contacts)
+      fastest = std::max(fastest, std::as_const(world_.contact_world).contacts()[contact].approach);
     for (const int contact : contacts) {
       const Contact& found = std::as_const(world_.contact_world).contacts()[contact];
       const ContactWorld::Law law = world_.contact_world.law(contact);
@@ -71,7 +74,7 @@ class GroupBuilder {
       row.b = side(group, found.b, contact, law.arm_b);
       row.axes = law.axes;
       row.friction = law.friction;
-      row.target_velocity = law.target_velocity;
+      row.target_velocity = target_velocity(found, law.target_velocity, fastest);
       row.free_velocity = law.axes.transpose() * law.free_velocity;
       row.impulse = law.guess;
     }
@@ -91,6 +94,22 @@ class GroupBuilder {
     if (index >= touched_of_object_.size()) touched_of_object_.resize(index + 1, -1);
   }
   int& touched_of(ProxyId object) { return touched_of_object_[object.index()]; }
+
+  bool is_soft(ProxyId object) const {
+    const BodyId id = world_.body_of(object);
+    return id.valid() && world_.bodies[id].sways() && sags_visibly(world_, world_.bodies[id]);
+  }
+
+  /// Least velocity of parting [m/s]. What is soft closes its gap within the substep: stopped at once, as hard bodies
+  /// are, it would stay in the air by its speed times the step. Out of the ground it comes as slowly as the
+  /// tolerance of impulses let it in, so that it gets back no more than the energy that it lost there.
+  double target_velocity(const Contact& contact, double of_law, double fastest_approach) const {
+    constexpr double kTolerance = 1e-3;  // of the fastest approach of the group: ten times that of its impulses
+    if (!is_soft(contact.a) && !is_soft(contact.b)) return of_law;
+    if (contact.distance > 0) return -contact.distance / dt_;
+    const bool is_on_ground = world_.contact_world.is_ground(contact.a) || world_.contact_world.is_ground(contact.b);
+    return is_on_ground ? std::min(-contact.distance / dt_, kTolerance * fastest_approach) : 0;
+  }
 
   ContactSide side(Group& group, ProxyId object, int contact, const Vec3& arm) {
     grow(object);
