@@ -116,6 +116,28 @@ TEST_P(RestingSoftBall, LiesOnTheGroundAsFlatAsHertzSays) {
 INSTANTIATE_TEST_SUITE_P(Grid, RestingSoftBall, ::testing::ValuesIn(testing::contact_cases({0.02, 0.2, 1, 10})),
                          testing::contact_case_name);
 
+// A cube of rubber that sleeps, pressed by its weight, is woken by a small one. It has its weight and its stress at
+// once: without, contacts would push it off its place, by work that nothing accounts for.
+TEST(SleepingRubber, WakesInBalance) {
+  const ContactCase at{1, 1, 1.0 / 60};
+  Scene scene = testing::empty_scene(at);
+  const Material rubber = testing::unbreakable(preset("rubber"));
+  scene.bodies = {testing::box("cube", Vec3::Ones(), Vec3(0, 0.5, 0), rubber, Vec3::Constant(0.25)),
+                  testing::box("small", Vec3::Constant(0.1), Vec3(0, 20, 0), rubber, Vec3::Constant(0.1))};
+  World world(scene);
+  while (!world.frame().bodies[0].asleep && world.frame().time < 1.9) world.step();
+  ASSERT_TRUE(world.frame().bodies[0].asleep);
+  const double height = world.frame().bodies[0].center_of_mass.y(), before = world.frame().energy.unaccounted();
+  double fastest = 0;
+  while (world.frame().bodies[0].asleep && world.frame().time < 2.5) world.step();
+  fastest = world.frame().bodies[0].velocity.norm();
+  ASSERT_FALSE(world.frame().bodies[0].asleep);
+  // The momentum of 0.93 kg at 19.3 m/s, given to 930 kg.
+  testing::check_at_most("speed [m/s]", fastest, 0.02);
+  testing::check_at_most("moved [m]", std::abs(world.frame().bodies[0].center_of_mass.y() - height), 5e-4);
+  testing::check_at_most("energy unaccounted [J]", std::abs(world.frame().energy.unaccounted() - before), 1e-3);
+}
+
 class ThrownPlate : public testing::ContactLaw<ContactCase> {};
 
 /// A soft plate with a hole, upright, thrown at the ground.

@@ -95,9 +95,10 @@ bool make_struck_bodies_elastic(WorldState& world, double dt) {
       const BodyId id = world.body_of(side);
       if (!id.valid() || !may_give_way(world.bodies[id]) || !must_give_way(world, world.bodies[id], contact, dt))
         continue;
+      const bool slept = world.bodies[id].asleep;
       if (world.bodies[id].rigid) place_rigid_nodes(world, world.bodies[id]);
       make_elastic(world, world.bodies[id]);
-      join_substep(world, world.bodies[id], dt);
+      join_substep(world, world.bodies[id], slept, dt);
       any = true;
     }
   return any;

@@ -5,6 +5,7 @@
 
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/energy/energy_phase.h"
+#include "sim/world/phases/contact_phase.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/motion_phase.h"
 #include "sim/world/phases/separation_phase.h"
@@ -167,18 +168,19 @@ void update_sleep(WorldState& world, double time_step) {
   }
 }
 
-void join_substep(WorldState& world, Body& body, double dt) {
-  body.start.rigid = true;
+void join_substep(WorldState& world, Body& body, bool slept, double dt) {
+  body.start.rigid = !slept;
   body.contact_work = 0;
   body.energy = mechanical_energy(world, body);
   assemble_system(world, body, dt);
+  if (slept) predict_velocities(world, body, external_forces(world, dt), dt);
 }
 
 void wake_disturbed_bodies(WorldState& world, double dt) {
   for (Body& body : world.bodies) {
     const bool slept = body.asleep;
     body.asleep = world.contact_world.asleep(body.proxy);
-    if (slept && body.sways()) join_substep(world, body, dt);
+    if (slept && !body.asleep && body.sways()) join_substep(world, body, true, dt);
   }
 }
 
