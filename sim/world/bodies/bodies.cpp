@@ -53,6 +53,13 @@ double extent_of(const WorldState& world, const Body& body) {
   return box.sizes().maxCoeff();
 }
 
+/// True if no node is farther from where the proxy has it than this share of the body's extent.
+bool is_shaped_like_proxy(const WorldState& world, const Body& body, double tolerance) {
+  const NodeVectors placed = (body.orientation.toRotationMatrix() * body.reference_arms).colwise() + body.motion.center;
+  const NodeVectors positions = gather(world.nodes.positions, body.nodes);
+  return (positions - placed).colwise().norm().maxCoeff() <= tolerance * body.extent;
+}
+
 /// What scatter and direction leave of the material's resistance at the body's weakest node, across its weakest plane
 /// [-].
 double weakest_fraction_of(const WorldState& world, const Body& body) {
@@ -218,14 +225,25 @@ void rebuild_body(WorldState& world, Body& body) {
 
 void fit_proxy(WorldState& world, Body& body) {
   constexpr double kSameShape = 1e-4;  // of its extent: contacts of rigid bodies overlap by as much
-  const NodeVectors placed = (body.orientation.toRotationMatrix() * body.reference_arms).colwise() + body.motion.center;
-  const NodeVectors positions = gather(world.nodes.positions, body.nodes);
-  if ((positions - placed).colwise().norm().maxCoeff() <= kSameShape * body.extent) return;
-  body.reference_arms = positions.colwise() - body.motion.center;
+  if (is_shaped_like_proxy(world, body, kSameShape)) return;
+  body.reference_arms = gather(world.nodes.positions, body.nodes).colwise() - body.motion.center;
   body.reference_offsets = gather(world.edges.offsets, body.edges);
   body.orientation.setIdentity();
   body.collision_parts = collision_parts(world, body);
   reshape_proxy(world, body);
+}
+
+void follow_deformation(WorldState& world, Body& body) {
+  constexpr double kDeformed = 5e-3;  // of its extent: contacts would be sought where the surface was
+  if (is_shaped_like_proxy(world, body, kDeformed)) return;
+  const Mat3 back = body.orientation.conjugate().toRotationMatrix();
+  body.reference_arms = back * (gather(world.nodes.positions, body.nodes).colwise() - body.motion.center);
+  body.reference_offsets = back * gather(world.edges.offsets, body.edges);
+  body.collision_parts = collision_parts(world, body);
+  for (ConvexPart& part : body.collision_parts)
+    for (Vec3& corner : part) corner = back * corner;
+  const auto [parts, mass, mobility, state, surface] = proxy_of(world, body);
+  world.contact_world.deform(body.proxy, parts, mass, state);
 }
 
 void assign_pieces(WorldState& world, BodyId id, std::vector<std::vector<TetId>> pieces) {

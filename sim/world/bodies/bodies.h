@@ -33,6 +33,9 @@ void rebuild_body(WorldState& world, Body& body);
 double rebuild_shape(WorldState& world, Body& body);
 /// Gives the proxy of a body that is rigid or asleep from now on the shape to which it has deformed.
 void fit_proxy(WorldState& world, Body& body);
+/// Gives the proxy of a body that goes on deforming the shape that it has, where the two differ visibly. The body keeps
+/// its orientation.
+void follow_deformation(WorldState& world, Body& body);
 /// Makes the proxies of bodies that have none yet out of their collision parts, in the contact world.
 void add_proxies(WorldState& world, std::span<Body> bodies);
 /// The rigid motion that carries the momentum of a body's nodes.

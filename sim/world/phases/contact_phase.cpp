@@ -229,8 +229,9 @@ TouchedBodies solve_contacts(WorldState& world, double dt) {
 }  // namespace
 
 void place_proxies(WorldState& world) {
-  for (const Body& body : world.bodies) {
+  for (Body& body : world.bodies) {
     if (body.asleep) continue;
+    if (body.sways() && deforms_visibly(world, body)) follow_deformation(world, body);
     RigidState state{{body.motion.center, body.orientation}, body.motion.velocity, body.motion.angular_velocity};
     if (body.supported()) state.velocity = state.angular_velocity = Vec3::Zero();
     world.contact_world.set_state(body.proxy, state);
