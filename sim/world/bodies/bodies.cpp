@@ -100,8 +100,8 @@ double damage_speed(const WorldState& world, const Body& body) {
   return speed_of_waves(world.material_of(body), min_breaking_stress(world, body, false));
 }
 
-double noticeable_speed(const WorldState& world, const Body& body) {
-  return speed_of_waves(world.material_of(body), min_noticeable_stress(world, body, false));
+double visible_speed(const WorldState& world, const Body& body) {
+  return speed_of_waves(world.material_of(body), visible_stress(world, body));
 }
 
 double hurting_speed(const WorldState& world, const Body& body) {
@@ -119,19 +119,25 @@ double min_breaking_stress(const WorldState& world, const Body& body, bool at_cr
   return is_force ? minimum / (body.element_size * body.element_size) : minimum;
 }
 
-double min_noticeable_stress(const WorldState& world, const Body& body, bool at_crack_front) {
-  return std::min(min_breaking_stress(world, body, at_crack_front),
-                  kVisibleStrain * world.material_of(body).young_modulus);
+double visible_stress(const WorldState& world, const Body& body) {
+  constexpr std::size_t kDebris = 20;  // tets: of so few it is seen less than it costs
+  if (body.tets.size() <= kDebris) return std::numeric_limits<double>::infinity();
+  return kVisibleStrain * world.material_of(body).young_modulus;
 }
 
 bool deforms_visibly(const WorldState& world, const Body& body) {
-  return min_breaking_stress(world, body, false) > kVisibleStrain * world.material_of(body).young_modulus;
+  return min_breaking_stress(world, body, false) > visible_stress(world, body);
+}
+
+bool is_visibly_strained(const WorldState& world, const Body& body) {
+  const double most = 0.5 * world.material_of(body).young_modulus * kVisibleStrain * kVisibleStrain;
+  return deforms_visibly(world, body) &&
+         std::ranges::any_of(body.tets, [&](TetId tet) { return world.elements.states[tet].energy_density > most; });
 }
 
 bool sags_visibly(const WorldState& world, const Body& body) {
-  const Material& material = world.material_of(body);
-  const double stress = material.density * world.model->scene.gravity.norm() * body.extent;
-  return stress > kVisibleStrain * material.young_modulus;
+  const double stress = world.material_of(body).density * world.model->scene.gravity.norm() * body.extent;
+  return stress > visible_stress(world, body);
 }
 
 void clear_stress(WorldState& world, const Body& body) {

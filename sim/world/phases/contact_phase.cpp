@@ -29,14 +29,14 @@ bool could_deform(const WorldState& world, const Body& body, double force) {
   constexpr double kWakingFraction = 0.25;
   if (body.tets.size() == 1) return false;
   const double stress = force / (body.element_size * body.element_size);
-  return stress > kWakingFraction * min_noticeable_stress(world, body, true);
+  return stress > std::min(kWakingFraction * min_breaking_stress(world, body, true), visible_stress(world, body));
 }
 
 /// True if whoever is hurt by a contact was found before the step: impacts have their own phase, and the mean force of
-/// one in a long step says nothing. What is soft is left to the implicit step.
+/// one in a long step says nothing. What is too soft for microsteps is left to the implicit step.
 bool is_left_to_shock(const WorldState& world, const Body& body, const Contact& contact) {
   return world.model->scene.simulation.integrator == Integrator::hybrid && contact.approach > min_impact_speed(world) &&
-         suits_microsteps(world, body, 0);
+         (!deforms_visibly(world, body) || suits_microsteps(world, body, 0));
 }
 
 /// What another object does to a body in a substep of `dt` [N].
