@@ -129,7 +129,9 @@ class ContactWorld {
   /// stays allowed until it has shrunk, save with the ground.
   void reshape(ProxyId proxy, std::span<const ConvexPart> parts, const RigidMass& mass, Mobility mobility,
                const RigidState& state);
-  /// The id is never given out again. Contacts listed so far are void, here and in reshape().
+  /// The shape to which the piece of a proxy has deformed, and its mass. What it overlaps then was not so at birth.
+  void deform(ProxyId proxy, std::span<const ConvexPart> parts, const RigidMass& mass, const RigidState& state);
+  /// The id is never given out again. Contacts listed so far are void, here, in reshape() and deform().
   void remove(ProxyId object);
 
   void set_state(ProxyId object, const RigidState& state);

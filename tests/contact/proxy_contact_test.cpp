@@ -286,5 +286,21 @@ TEST(ProxyContact, RemovedAndReshapedObjectsLeaveNoContactBehind) {
   EXPECT_NEAR(world.state(upper).pose.translation.y(), 0.5, 1e-3);
 }
 
+TEST(ProxyContact, WhatAPieceOverlapsAtBirthIsAllowedButNotWhatItOverlapsByDeforming) {
+  const Vec3 size(1, 1, 1), taller(1, 1.1, 1);
+  for (const bool is_new_piece : {true, false}) {
+    ContactWorld world(Vec3(0, -9.81, 0));
+    const ProxyId lower = world.add_proxy(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(0, 0.5, 0)), {});
+    const ProxyId upper = world.add_proxy(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(0, 1.5, 0)), {});
+    substep(world, {lower, upper}, kHalfDt, kGravity);
+    const RigidState stretched = at(Vec3(0, 0.55, 0));
+    is_new_piece ? world.reshape(lower, box_parts(taller), box_mass(taller, 5), Mobility::free, stretched)
+                 : world.deform(lower, box_parts(taller), box_mass(taller, 5), stretched);
+    world.detect();
+    EXPECT_FALSE(world.contacts().empty());
+    EXPECT_NEAR(world.allowed_overlap(lower, upper), is_new_piece ? 0.1 : 0, 0.01) << is_new_piece;
+  }
+}
+
 }  // namespace
 }  // namespace griffith

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include "tests/world/contact_case.h"
 #include "tests/world/contact_scenes.h"
 
@@ -42,18 +40,38 @@ double mass_of(const World& world) { return world.frame().totals.mass; }
 
 class DroppedSoftBall : public testing::ContactLaw<ContactCase> {};
 
-/// The share of its energy that implicit Euler leaves an oscillation of angular frequency w after a quarter of a
-/// period: each step has 1/(1 + w²h²) of it.
-double share_left(double w, double h) { return std::pow(1 + w * w * h * h, -std::numbers::pi / 2 / (w * h)); }
+/// Velocity v after an implicit Euler step of m v' = m g - k x^(3/2), x' = v: the zero of a function that grows with v.
+double step_of_hertz(double x, double v, double stiffness_per_mass, double h) {
+  double low = -10 * std::abs(v) - 1, high = v + h * kEarthGravity;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = 0.5 * (low + high), depth = std::max(0.0, x + h * middle);
+    const double excess = middle - v - h * (kEarthGravity - stiffness_per_mass * std::pow(depth, 1.5));
+    (excess > 0 ? high : low) = middle;
+  }
+  return low;
+}
 
-/// Drops the ball by its own diameter. Hertz (1882): ½ m v² = (8/15) E* √R d^(5/2). `share`: what of d explicit steps
-/// of the same elements give, for a ball is no half-space; to within a tenth, and what the step's damping takes.
+/// Depth to which a point of mass m, after a fall, presses Hertz's spring F = k d^(3/2) in steps h of implicit Euler
+/// [m]: what the step's damping leaves of a squash that takes few steps, the weight's work included.
+double squash_in_steps(double stiffness_per_mass, double fall, double h) {
+  const double landing = std::sqrt(2 * fall / kEarthGravity), start = h * std::floor(landing / h);
+  double v = kEarthGravity * start, x = 0.5 * kEarthGravity * start * start - fall, deepest = 0;
+  while (v > 0) {
+    v = step_of_hertz(x, v, stiffness_per_mass, h);
+    x += h * v;
+    deepest = std::max(deepest, x);
+  }
+  return deepest;
+}
+
+/// Drops the ball by its own diameter. Hertz (1882): F = (4/3) E* √R d^(3/2), in steps of implicit Euler. `share`: what
+/// of d explicit steps of the same elements give, for a ball is no half-space; to within a tenth.
 void check_squash(const ContactCase& at, const Material& material, double share) {
   const double radius = at.size / 2, fall = at.size;
   World world(soft_ball(at, material, fall));
-  const double energy = mass_of(world) * kEarthGravity * fall, speed = std::sqrt(2 * kEarthGravity * fall);
-  const double hertz = std::pow(energy / (8.0 / 15 * plane_strain_modulus(material) * std::sqrt(radius)), 0.4);
-  const double left = std::pow(share_left(speed / hertz, at.time_step), 0.4);
+  const double speed = std::sqrt(2 * kEarthGravity * fall);
+  const double stiffness = 4.0 / 3 * plane_strain_modulus(material) * std::sqrt(radius) / mass_of(world);
+  const double hertz = squash_in_steps(stiffness, fall, at.time_step);
   double lowest = world.frame().bodies[0].center_of_mass.y(), deepest = 0;
   while (world.frame().time < std::sqrt(2 * fall / kEarthGravity) + 4 * hertz / speed) {
     world.step();
@@ -61,22 +79,19 @@ void check_squash(const ContactCase& at, const Material& material, double share)
     deepest = std::max(deepest, testing::depth_below(world.frame()));
   }
   const double got = radius - lowest, expected = share * hertz;
-  testing::record("squashed by [m]", got,
-                  testing::short_text(0.9 * left * expected) + ".." + testing::short_text(1.1 * expected));
-  EXPECT_GE(got, 0.9 * left * expected) << "squashed by [m]";
-  EXPECT_LE(got, 1.1 * expected) << "squashed by [m]";
+  testing::check_near("squashed by [m]", got, expected, 0.1);
   testing::check_at_most("below the ground [m]", deepest, 1e-3 * at.size);
 }
 
 TEST_P(DroppedSoftBall, IsSquashedByATenthOfItsSizeAsHertzSays) {
-  check_squash(GetParam(), soft_rubber(GetParam().size, 1e6, 0.3), 0.87);
+  check_squash(GetParam(), soft_rubber(GetParam().size, 1e6, 0.3), 0.82);
 }
 
 TEST_P(DroppedSoftBall, IsSquashedByAThirdOfItsSize) {
-  check_squash(GetParam(), soft_rubber(GetParam().size, 1e5, 0.45), 0.78);
+  check_squash(GetParam(), soft_rubber(GetParam().size, 1e5, 0.45), 0.67);
 }
 
-// A ball of 1 m is in contact for .3 s, which nine steps of 1/30 s still show.
+// A ball of 1 m is in contact for .1 s, three steps of 1/30 s, where its modulus is 1 MPa; smaller ones for less.
 INSTANTIATE_TEST_SUITE_P(Grid, DroppedSoftBall, ::testing::ValuesIn(testing::contact_cases({1, 4, 10})),
                          testing::contact_case_name);
 
@@ -100,6 +115,28 @@ TEST_P(RestingSoftBall, LiesOnTheGroundAsFlatAsHertzSays) {
 
 INSTANTIATE_TEST_SUITE_P(Grid, RestingSoftBall, ::testing::ValuesIn(testing::contact_cases({0.02, 0.2, 1, 10})),
                          testing::contact_case_name);
+
+// A cube of rubber that sleeps, pressed by its weight, is woken by a small one. It has its weight and its stress at
+// once: without, contacts would push it off its place, by work that nothing accounts for.
+TEST(SleepingRubber, WakesInBalance) {
+  const ContactCase at{1, 1, 1.0 / 60};
+  Scene scene = testing::empty_scene(at);
+  const Material rubber = testing::unbreakable(preset("rubber"));
+  scene.bodies = {testing::box("cube", Vec3::Ones(), Vec3(0, 0.5, 0), rubber, Vec3::Constant(0.25)),
+                  testing::box("small", Vec3::Constant(0.1), Vec3(0, 20, 0), rubber, Vec3::Constant(0.1))};
+  World world(scene);
+  while (!world.frame().bodies[0].asleep && world.frame().time < 1.9) world.step();
+  ASSERT_TRUE(world.frame().bodies[0].asleep);
+  const double height = world.frame().bodies[0].center_of_mass.y(), before = world.frame().energy.unaccounted();
+  double fastest = 0;
+  while (world.frame().bodies[0].asleep && world.frame().time < 2.5) world.step();
+  fastest = world.frame().bodies[0].velocity.norm();
+  ASSERT_FALSE(world.frame().bodies[0].asleep);
+  // The momentum of 0.93 kg at 19.3 m/s, given to 930 kg.
+  testing::check_at_most("speed [m/s]", fastest, 0.02);
+  testing::check_at_most("moved [m]", std::abs(world.frame().bodies[0].center_of_mass.y() - height), 5e-4);
+  testing::check_at_most("energy unaccounted [J]", std::abs(world.frame().energy.unaccounted() - before), 1e-3);
+}
 
 class ThrownPlate : public testing::ContactLaw<ContactCase> {};
 

@@ -127,6 +127,15 @@ void ContactWorld::reshape(ProxyId proxy, std::span<const ConvexPart> parts, con
   object.state = state;
   object.shape = hull_shape(parts);
   impl_->attach(proxy, mass);
+  object.parted = true;
+}
+
+void ContactWorld::deform(ProxyId proxy, std::span<const ConvexPart> parts, const RigidMass& mass,
+                          const RigidState& state) {
+  Object& object = impl_->objects[proxy];
+  const bool parted = object.fresh && object.parted;
+  reshape(proxy, parts, mass, object.mobility, state);
+  object.parted = parted;
 }
 
 void ContactWorld::remove(ProxyId object) {

@@ -35,6 +35,7 @@ struct alignas(64) Object {
   bool elastic = false;     ///< its owner answers the impulses of the present solve
   int hinge = -1;           ///< index into those of the present solve, -1 without one
   bool fresh = true;        ///< its shape has not yet been seen by detect()
+  bool parted = true;       ///< what is fresh is another piece than before, not the same one deformed
   bool exists = true;       ///< until removed
   bool active = true;       ///< what is not active is looked at only where something active comes near: sleepers, the
                             ///< ground, and what is held and was not just displaced

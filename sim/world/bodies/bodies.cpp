@@ -53,6 +53,13 @@ double extent_of(const WorldState& world, const Body& body) {
   return box.sizes().maxCoeff();
 }
 
+/// True if no node is farther from where the proxy has it than this share of the body's extent.
+bool is_shaped_like_proxy(const WorldState& world, const Body& body, double tolerance) {
+  const NodeVectors placed = (body.orientation.toRotationMatrix() * body.reference_arms).colwise() + body.motion.center;
+  const NodeVectors positions = gather(world.nodes.positions, body.nodes);
+  return (positions - placed).colwise().norm().maxCoeff() <= tolerance * body.extent;
+}
+
 /// What scatter and direction leave of the material's resistance at the body's weakest node, across its weakest plane
 /// [-].
 double weakest_fraction_of(const WorldState& world, const Body& body) {
@@ -78,15 +85,23 @@ std::size_t surviving_piece(const WorldState& world, const std::vector<std::vect
   return best;
 }
 
+constexpr double kVisibleStrain = 1e-3;
+
+/// Speed of nodes below which waves do not come near a stress [m/s]: half of the σ/(ρc) that makes it.
+double speed_of_waves(const Material& material, double stress) {
+  constexpr double kFraction = 0.5;
+  return kFraction * stress / (material.density * bar_wave_speed(material));
+}
+
 }  // namespace
 
 double damage_speed(const WorldState& world, const Body& body) {
-  // Slower meetings do not come near the breaking speed sigma_t / (rho c).
-  constexpr double kFractionOfBreakingSpeed = 0.5;
   if (body.tets.size() == 1) return std::numeric_limits<double>::infinity();
-  const Material& material = world.material_of(body);
-  const double stress = min_breaking_stress(world, body, false);
-  return kFractionOfBreakingSpeed * stress / (material.density * bar_wave_speed(material));
+  return speed_of_waves(world.material_of(body), min_breaking_stress(world, body, false));
+}
+
+double visible_speed(const WorldState& world, const Body& body) {
+  return speed_of_waves(world.material_of(body), visible_stress(world, body));
 }
 
 double hurting_speed(const WorldState& world, const Body& body) {
@@ -102,6 +117,27 @@ double min_breaking_stress(const WorldState& world, const Body& body, bool at_cr
   const double minimum = body.weakest_fraction * resistance(material, at_crack_front, body.element_size);
   const bool is_force = material.criterion == FractureCriterion::separation_force;
   return is_force ? minimum / (body.element_size * body.element_size) : minimum;
+}
+
+double visible_stress(const WorldState& world, const Body& body) {
+  constexpr std::size_t kDebris = 20;  // tets: of so few it is seen less than it costs
+  if (body.tets.size() <= kDebris) return std::numeric_limits<double>::infinity();
+  return kVisibleStrain * world.material_of(body).young_modulus;
+}
+
+bool deforms_visibly(const WorldState& world, const Body& body) {
+  return min_breaking_stress(world, body, false) > visible_stress(world, body);
+}
+
+bool is_visibly_strained(const WorldState& world, const Body& body) {
+  const double most = 0.5 * world.material_of(body).young_modulus * kVisibleStrain * kVisibleStrain;
+  return deforms_visibly(world, body) &&
+         std::ranges::any_of(body.tets, [&](TetId tet) { return world.elements.states[tet].energy_density > most; });
+}
+
+bool sags_visibly(const WorldState& world, const Body& body) {
+  const double stress = world.material_of(body).density * world.model->scene.gravity.norm() * body.extent;
+  return stress > visible_stress(world, body);
 }
 
 void clear_stress(WorldState& world, const Body& body) {
@@ -195,14 +231,25 @@ void rebuild_body(WorldState& world, Body& body) {
 
 void fit_proxy(WorldState& world, Body& body) {
   constexpr double kSameShape = 1e-4;  // of its extent: contacts of rigid bodies overlap by as much
-  const NodeVectors placed = (body.orientation.toRotationMatrix() * body.reference_arms).colwise() + body.motion.center;
-  const NodeVectors positions = gather(world.nodes.positions, body.nodes);
-  if ((positions - placed).colwise().norm().maxCoeff() <= kSameShape * body.extent) return;
-  body.reference_arms = positions.colwise() - body.motion.center;
+  if (is_shaped_like_proxy(world, body, kSameShape)) return;
+  body.reference_arms = gather(world.nodes.positions, body.nodes).colwise() - body.motion.center;
   body.reference_offsets = gather(world.edges.offsets, body.edges);
   body.orientation.setIdentity();
   body.collision_parts = collision_parts(world, body);
   reshape_proxy(world, body);
+}
+
+void follow_deformation(WorldState& world, Body& body) {
+  constexpr double kDeformed = 5e-3;  // of its extent: contacts would be sought where the surface was
+  if (is_shaped_like_proxy(world, body, kDeformed)) return;
+  const Mat3 back = body.orientation.conjugate().toRotationMatrix();
+  body.reference_arms = back * (gather(world.nodes.positions, body.nodes).colwise() - body.motion.center);
+  body.reference_offsets = back * gather(world.edges.offsets, body.edges);
+  body.collision_parts = collision_parts(world, body);
+  for (ConvexPart& part : body.collision_parts)
+    for (Vec3& corner : part) corner = back * corner;
+  const auto [parts, mass, mobility, state, surface] = proxy_of(world, body);
+  world.contact_world.deform(body.proxy, parts, mass, state);
 }
 
 void assign_pieces(WorldState& world, BodyId id, std::vector<std::vector<TetId>> pieces) {

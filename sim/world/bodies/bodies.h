@@ -33,6 +33,9 @@ void rebuild_body(WorldState& world, Body& body);
 double rebuild_shape(WorldState& world, Body& body);
 /// Gives the proxy of a body that is rigid or asleep from now on the shape to which it has deformed.
 void fit_proxy(WorldState& world, Body& body);
+/// Gives the proxy of a body that goes on deforming the shape that it has, where the two differ visibly. The body keeps
+/// its orientation.
+void follow_deformation(WorldState& world, Body& body);
 /// Makes the proxies of bodies that have none yet out of their collision parts, in the contact world.
 void add_proxies(WorldState& world, std::span<Body> bodies);
 /// The rigid motion that carries the momentum of a body's nodes.
@@ -46,8 +49,18 @@ Placement placement_of(const WorldState& world, std::span<const NodeId> nodes);
 /// The least stress, spread over the face of an element, that could open a crack somewhere in the body, or could let
 /// one run on that is there already [Pa].
 double min_breaking_stress(const WorldState& world, const Body& body, bool at_crack_front);
+/// Stress that strains a body visibly, by a thousandth [Pa]; infinite for debris of up to 20 tets.
+double visible_stress(const WorldState& world, const Body& body);
+/// True if a body is visibly strained before it breaks.
+bool deforms_visibly(const WorldState& world, const Body& body);
+/// True if a body that deforms visibly does so now, by the energy of its elements.
+bool is_visibly_strained(const WorldState& world, const Body& body);
+/// True if a body is visibly strained by its own weight wherever it lies.
+bool sags_visibly(const WorldState& world, const Body& body);
 /// The speed of an impact from which a body could be hurt [m/s]; infinite for a single tet, which cannot break.
 double damage_speed(const WorldState& world, const Body& body);
+/// Speed of nodes from which waves come near visible_stress() [m/s].
+double visible_speed(const WorldState& world, const Body& body);
 /// The same for impacts that have to be judged: more in a body of one cell, without cracks, where no wave comes back as
 /// tension before it has spread. Of 2,500 random ones none broke below 2.2 σ_t/(ρc); finer ones do from 0.77 on [m/s].
 double hurting_speed(const WorldState& world, const Body& body);

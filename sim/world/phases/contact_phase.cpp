@@ -18,23 +18,25 @@
 #include "sim/world/phases/quasi_static.h"
 #include "sim/world/phases/rest_phase.h"
 #include "sim/world/phases/touched_body.h"
+#include "sim/world/shock/struck_bodies.h"
 #include "sim/world/world_state.h"
 
 namespace griffith {
 namespace {
 
-/// Whether a force could bring a rigid piece near its strength somewhere.
-bool could_hurt(const WorldState& world, const Body& body, double force) {
+/// True if a force could bring a rigid piece near its strength somewhere, or deform it visibly.
+bool could_deform(const WorldState& world, const Body& body, double force) {
   constexpr double kWakingFraction = 0.25;
   if (body.tets.size() == 1) return false;
   const double stress = force / (body.element_size * body.element_size);
-  return stress > kWakingFraction * min_breaking_stress(world, body, true);
+  return stress > std::min(kWakingFraction * min_breaking_stress(world, body, true), visible_stress(world, body));
 }
 
-/// Whether whoever is hurt by a contact was found before the step: blows have their own phase, and the mean force of a
-/// blow in a long step says nothing.
-bool is_left_to_shock(const WorldState& world, const Contact& contact) {
-  return world.model->scene.simulation.integrator == Integrator::hybrid && contact.approach > min_impact_speed(world);
+/// True if whoever is hurt by a contact was found before the step: impacts have their own phase, and the mean force of
+/// one in a long step says nothing. What is too soft for microsteps is left to the implicit step.
+bool is_left_to_shock(const WorldState& world, const Body& body, const Contact& contact) {
+  return world.model->scene.simulation.integrator == Integrator::hybrid && contact.approach > min_impact_speed(world) &&
+         (!deforms_visibly(world, body) || suits_microsteps(world, body, 0));
 }
 
 /// What another object does to a body in a substep of `dt` [N].
@@ -54,7 +56,7 @@ bool is_harmless(const WorldState& world, const Body& body, ProxyId other, doubl
   const auto known = std::ranges::find(body.harmless, other, &ContactLoad::other);
   if (known == body.harmless.end()) return false;
   const double more = (load_of(world, body, other, dt) - known->force).norm();
-  return more <= kSame * known->force.norm() || !could_hurt(world, body, more);
+  return more <= kSame * known->force.norm() || !could_deform(world, body, more);
 }
 
 /// Notes what elastic bodies carry in a substep of `dt` [s]; once they are rigid it stands.
@@ -78,8 +80,7 @@ void record_loads(WorldState& world, double dt) {
 /// Whether a rigid or sleeping body has to sway under a contact: one that could hurt it, or the first that it meets.
 bool must_give_way(const WorldState& world, const Body& body, const Contact& contact, double dt) {
   if (body.untouched) return !contact.impulse.isZero(0);
-  if (is_left_to_shock(world, contact)) return false;
-  return could_hurt(world, body, contact.impulse.norm() / dt) &&
+  return could_deform(world, body, contact.impulse.norm() / dt) && !is_left_to_shock(world, body, contact) &&
          !is_harmless(world, body, contact.a == body.proxy ? contact.b : contact.a, dt);
 }
 
@@ -94,9 +95,10 @@ bool make_struck_bodies_elastic(WorldState& world, double dt) {
       const BodyId id = world.body_of(side);
       if (!id.valid() || !may_give_way(world.bodies[id]) || !must_give_way(world, world.bodies[id], contact, dt))
         continue;
+      const bool slept = world.bodies[id].asleep;
       if (world.bodies[id].rigid) place_rigid_nodes(world, world.bodies[id]);
       make_elastic(world, world.bodies[id]);
-      join_substep(world, world.bodies[id], dt);
+      join_substep(world, world.bodies[id], slept, dt);
       any = true;
     }
   return any;
@@ -227,8 +229,9 @@ TouchedBodies solve_contacts(WorldState& world, double dt) {
 }  // namespace
 
 void place_proxies(WorldState& world) {
-  for (const Body& body : world.bodies) {
+  for (Body& body : world.bodies) {
     if (body.asleep) continue;
+    if (body.sways() && deforms_visibly(world, body)) follow_deformation(world, body);
     RigidState state{{body.motion.center, body.orientation}, body.motion.velocity, body.motion.angular_velocity};
     if (body.supported()) state.velocity = state.angular_velocity = Vec3::Zero();
     world.contact_world.set_state(body.proxy, state);

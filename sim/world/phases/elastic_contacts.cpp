@@ -49,12 +49,15 @@ class GroupBuilder {
       : world_(world),
         touched_(touched),
         dt_(dt),
-        body_of_object_(world.body_of_proxy.size() + world.projectiles.size() + 1, -1) {
+        body_of_object_(world.body_of_proxy.size() + world.projectiles.size() + 1, -1),
+        soft_(touched.bodies.size(), false) {
     for (std::size_t i = 0; i < touched.objects.size(); ++i) {
       if (world.bodies[touched.bodies[i].body].quasi_static) continue;
       const ElasticObject& object = touched.objects[i];
       grow(object.object);
       touched_of(object.object) = static_cast<int>(i);
+      const Body& body = world.bodies[touched.bodies[i].body];
+      soft_[i] = sags_visibly(world, body) || is_visibly_strained(world, body);
       for (std::size_t k = 0; k < object.contacts.size(); ++k)
         points_.push_back({object.contacts[k], static_cast<int>(i), static_cast<int>(k)});
     }
@@ -63,6 +66,9 @@ class GroupBuilder {
 
   Group build(std::vector<int> contacts) {
     Group group;
+    double fastest = 0;
+    for (const int contact : contacts)
+      fastest = std::max(fastest, std::as_const(world_.contact_world).contacts()[contact].approach);
     for (const int contact : contacts) {
       const Contact& found = std::as_const(world_.contact_world).contacts()[contact];
       const ContactWorld::Law law = world_.contact_world.law(contact);
@@ -71,7 +77,7 @@ class GroupBuilder {
       row.b = side(group, found.b, contact, law.arm_b);
       row.axes = law.axes;
       row.friction = law.friction;
-      row.target_velocity = law.target_velocity;
+      row.target_velocity = target_velocity(found, law.target_velocity, fastest);
       row.free_velocity = law.axes.transpose() * law.free_velocity;
       row.impulse = law.guess;
     }
@@ -91,6 +97,22 @@ class GroupBuilder {
     if (index >= touched_of_object_.size()) touched_of_object_.resize(index + 1, -1);
   }
   int& touched_of(ProxyId object) { return touched_of_object_[object.index()]; }
+
+  bool is_soft(ProxyId object) {
+    grow(object);
+    return touched_of(object) >= 0 && soft_[touched_of(object)];
+  }
+
+  /// Least velocity of parting [m/s]. What is soft closes its gap within the substep: stopped at once, as hard bodies
+  /// are, it would stay in the air by its speed times the step. Out of the ground it comes as slowly as the
+  /// tolerance of impulses let it in, so that it gets back no more than the energy that it lost there.
+  double target_velocity(const Contact& contact, double of_law, double fastest_approach) {
+    constexpr double kTolerance = 1e-3;  // of the fastest approach of the group: ten times that of its impulses
+    if (!is_soft(contact.a) && !is_soft(contact.b)) return of_law;
+    if (contact.distance > 0) return -contact.distance / dt_;
+    const bool is_on_ground = world_.contact_world.is_ground(contact.a) || world_.contact_world.is_ground(contact.b);
+    return is_on_ground ? std::min(-contact.distance / dt_, kTolerance * fastest_approach) : 0;
+  }
 
   ContactSide side(Group& group, ProxyId object, int contact, const Vec3& arm) {
     grow(object);
@@ -133,6 +155,7 @@ class GroupBuilder {
   double dt_;
   std::vector<int> body_of_object_;     // index in its group, -1 before
   std::vector<int> touched_of_object_;  // index into the touched bodies, -1 for what is not elastic
+  std::vector<bool> soft_;              // per touched body: visibly strained, or by its own weight
   std::vector<Point> points_;
 };
 

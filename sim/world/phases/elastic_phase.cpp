@@ -206,6 +206,10 @@ void count_solve(WorldState& world, const SolveReport& solve) {
   world.report.unconverged_solves += !solve.converged;
 }
 
+void predict_velocities(WorldState& world, Body& body, std::vector<Vec3> forces, double dt) {
+  count_solve(world, predict_elastic(world, body, forces, dt));
+}
+
 void predict_velocities(WorldState& world, std::vector<Vec3> forces, double dt) {
   world.scratch.elastic_forces.resize(world.nodes.positions.size());
   world.scratch.edge_forces.resize(world.edges.offsets.size());

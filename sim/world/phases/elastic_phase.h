@@ -16,6 +16,8 @@ void assemble_system(WorldState& world, Body& body, double dt);
 /// The velocities after a substep of `dt` under `external` and elastic forces [N] as if nothing touched; the nodes of
 /// rigid bodies keep theirs until they move.
 void predict_velocities(WorldState& world, std::vector<Vec3> external, double dt);
+/// The same of one deformable body.
+void predict_velocities(WorldState& world, Body& body, std::vector<Vec3> external, double dt);
 /// The implicit step of a body.
 ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt);
 /// The edges of all bodies, with their elastic forces of the last predict_velocities().

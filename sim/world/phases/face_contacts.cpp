@@ -60,6 +60,14 @@ bool is_of_nodes(const Contact& contact) { return contact.node_a.valid() || cont
 
 bool is_elastic(const WorldState& world, BodyId id) { return id.valid() && world.bodies[id].sways(); }
 
+/// Allowed overlap of two bodies with which their faces meet all the same [m]: detection finds overlaps of rounding
+/// where they are placed to touch. What is hard holds on the points of its proxy then.
+double negligible_overlap(const WorldState& world, BodyId a, BodyId b) {
+  constexpr double kRounding = 1e-6;  // of an element
+  const bool is_soft = deforms_visibly(world, world.bodies[a]) || deforms_visibly(world, world.bodies[b]);
+  return is_soft ? kRounding * world.bodies[a].element_size : 0;
+}
+
 /// Groups of at least three detected contacts of two bodies that point alike.
 std::vector<FacePair> face_pairs(const WorldState& world) {
   struct Group {
@@ -71,7 +79,7 @@ std::vector<FacePair> face_pairs(const WorldState& world) {
   for (const Contact& contact : world.contact_world.contacts()) {
     const BodyId a = world.body_of(contact.a), b = world.body_of(contact.b);
     if (!a.valid() || !b.valid() || (!is_elastic(world, a) && !is_elastic(world, b))) continue;
-    if (world.contact_world.allowed_overlap(contact.a, contact.b) > 0) continue;
+    if (world.contact_world.allowed_overlap(contact.a, contact.b) > negligible_overlap(world, a, b)) continue;
     std::vector<Group>& of_pair = groups[{contact.a, contact.b}];
     auto group = std::ranges::find_if(
         of_pair, [&](const Group& other) { return other.pair.normal.dot(contact.normal) > kAlike; });

@@ -5,6 +5,7 @@
 
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/energy/energy_phase.h"
+#include "sim/world/phases/contact_phase.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/motion_phase.h"
 #include "sim/world/phases/separation_phase.h"
@@ -20,13 +21,14 @@ bool all_slower(const WorldState& world, const Body& body, const RigidMotion& wh
   });
 }
 
-/// Whether neither stress nor waves come near what could hurt a free body. A wave of stress σ moves nodes by σ/(ρc), in
-/// compression as in tension, while it has not yet come to where it could part the body.
+/// True if neither stress nor waves come near what could hurt a free body, and neither can be seen. A wave of stress σ
+/// moves nodes by σ/(ρc), in compression as in tension, while it has not yet come to where it could part the body.
 bool is_calm(const WorldState& world, const Body& body) {
   constexpr double kQuietUtilization = 0.05, kQuietSpeed = 0.1;
   const auto is_quiet = [&](NodeId node) { return world.nodes.separations[node].utilization < kQuietUtilization; };
-  return std::ranges::all_of(body.nodes, is_quiet) &&
-         all_slower(world, body, motion_of(world, body), kQuietSpeed * damage_speed(world, body));
+  return !sags_visibly(world, body) && !is_visibly_strained(world, body) && std::ranges::all_of(body.nodes, is_quiet) &&
+         all_slower(world, body, motion_of(world, body),
+                    std::min(kQuietSpeed * damage_speed(world, body), visible_speed(world, body)));
 }
 
 /// True if a body that has turned rigid in free flight may deform visibly where something first meets it. Impacts of
@@ -39,9 +41,11 @@ bool yields_at_first_touch(const WorldState& world, const Body& body) {
 /// Whether nothing touched a free body in the last substep and no stress or wave is in it: a rigid one would move
 /// alike.
 bool flies_unstressed(const WorldState& world, const Body& body) {
-  constexpr double kUnstressed = 1e-3;  // of the strain that breaks
+  constexpr double kUnstressed = 1e-3, kUnseen = 0.1;  // of the strain that breaks and that can be seen
   if (!body.harmless.empty()) return false;
-  const double strain = kUnstressed * min_breaking_stress(world, body, true) / world.material_of(body).young_modulus;
+  const double stress =
+      std::min(kUnstressed * min_breaking_stress(world, body, true), kUnseen * visible_stress(world, body));
+  const double strain = stress / world.material_of(body).young_modulus;
   return mechanical_energy(world, body) - kinetic_energy(motion_of(world, body)) <
          energy_of_strain(world, body, strain);
 }
@@ -160,18 +164,19 @@ void update_sleep(WorldState& world, double time_step) {
   }
 }
 
-void join_substep(WorldState& world, Body& body, double dt) {
-  body.start.rigid = true;
+void join_substep(WorldState& world, Body& body, bool slept, double dt) {
+  body.start.rigid = !slept;
   body.contact_work = 0;
   body.energy = mechanical_energy(world, body);
   assemble_system(world, body, dt);
+  if (slept) predict_velocities(world, body, external_forces(world, dt), dt);
 }
 
 void wake_disturbed_bodies(WorldState& world, double dt) {
   for (Body& body : world.bodies) {
     const bool slept = body.asleep;
     body.asleep = world.contact_world.asleep(body.proxy);
-    if (slept && body.sways()) join_substep(world, body, dt);
+    if (slept && !body.asleep && body.sways()) join_substep(world, body, true, dt);
   }
 }
 

@@ -14,7 +14,8 @@ void rigidify_if_calm(WorldState& world, Body& body);
 void update_sleep(WorldState& world, double time_step);
 /// Lets bodies awake that the contact world found disturbed, in a substep of `dt` [s].
 void wake_disturbed_bodies(WorldState& world, double dt);
-/// Lets a body that sways from now on take part in the contacts of a substep of `dt` [s] that began without it.
-void join_substep(WorldState& world, Body& body, double dt);
+/// Lets a body that deforms from now on take part in the contacts of a substep of `dt` [s] that began without it. What
+/// `slept` gets the velocities that its weight and stress give it: without, contacts would push it off its place.
+void join_substep(WorldState& world, Body& body, bool slept, double dt);
 
 }  // namespace griffith
