@@ -10,7 +10,6 @@
 
 #include "sim/core/ids.h"
 #include "sim/core/linear_algebra.h"
-#include "sim/core/point_compliance.h"
 
 namespace griffith {
 

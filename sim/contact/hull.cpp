@@ -141,6 +141,15 @@ Hull::Hull(const ConvexHull& hull) : corners(hull.corners) {
     box.extend(corner);
     center += corner / static_cast<double>(corners.size());
   }
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::size_t lane = i % simd::kDoubleLanes;
+    if (lane == 0) fours_.emplace_back();
+    for (std::size_t rest = lane; rest < simd::kDoubleLanes; ++rest) {
+      fours_.back().x[rest] = corners[i].x();
+      fours_.back().y[rest] = corners[i].y();
+      fours_.back().z[rest] = corners[i].z();
+    }
+  }
   box_center = box.center();
   box_half = 0.5 * box.sizes();
   const double size = box.diagonal().norm();
@@ -155,6 +164,17 @@ Hull::Hull(const ConvexHull& hull) : corners(hull.corners) {
   }
   inner_radius = size;
   for (const Face& face : faces) inner_radius = std::min(inner_radius, face.offset - face.normal.dot(center));
+}
+
+double Hull::lowest(const Vec3& direction) const {
+  const double x = direction.x(), y = direction.y(), z = direction.z();
+  simd::DoubleLanes least = x * fours_[0].x + y * fours_[0].y + z * fours_[0].z;
+  for (std::size_t i = 1; i < fours_.size(); ++i) {
+    const simd::DoubleLanes along = x * fours_[i].x + y * fours_[i].y + z * fours_[i].z;
+    least = along < least ? along : least;
+  }
+  const double first = std::min(least[0], least[1]), second = std::min(least[2], least[3]);
+  return std::min(first, second);
 }
 
 }  // namespace griffith::contact

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "sim/core/lanes.h"
 #include "sim/core/linear_algebra.h"
 #include "sim/geometry/convex_hull.h"
 
@@ -24,6 +25,9 @@ struct Hull {
 
   bool is_solid() const { return !edges.empty(); }
 
+  /// Returns the least of corners · direction.
+  double lowest(const Vec3& direction) const;
+
   std::vector<Vec3> corners;
   std::vector<Face> faces;
   std::vector<int> loops;
@@ -31,6 +35,13 @@ struct Hull {
   Vec3 center = Vec3::Zero();                               ///< of the corners
   double inner_radius = 0;                                  ///< radius of the largest ball round it that no face cuts
   Vec3 box_center = Vec3::Zero(), box_half = Vec3::Zero();  ///< the box round them
+
+ private:
+  /// Coordinates of four corners; the last corner fills what is left.
+  struct Four {
+    simd::DoubleLanes x, y, z;
+  };
+  std::vector<Four> fours_;
 };
 
 }  // namespace griffith::contact

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/contact/triple.h"
+#include "sim/core/lanes.h"
 
 namespace griffith::contact {
 namespace {
@@ -15,7 +16,7 @@ using Feature = Manifold::Feature;
 
 /// Shares of the smaller radius: what hardly moves keeps its points; by so much an edge has to part a pair better than
 /// a face does; by so much another feature may be better before it is found.
-constexpr double kHardlyMoved = 4e-4, kForFaces = 2e-3, kLargestMargin = 1e-2;
+constexpr double kHardlyMoved = 4e-4, kForFaces = 2e-3, kLargestMargin = 1e-1;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Corners of a polygon and their number.
@@ -31,31 +32,58 @@ struct Polygon {
 struct FoundPoints {
   std::array<FoundPoint, kMostFound> points;
   int count = 0;
-  bool beside = false;  ///< the face that parts them is not the one where they meet
+  bool beside = false;  ///< they do not meet over the face that parts them
   void add(const FoundPoint& point) {
     if (count < kMostFound) points[count++] = point;
   }
   std::span<const FoundPoint> listed() const { return {points.data(), static_cast<std::size_t>(count)}; }
 };
 
-double lowest(const Hull& hull, const Vec3& direction) {
-  const double x = direction.x(), y = direction.y(), z = direction.z();
-  double least = kInfinity;
-  for (const Vec3& corner : hull.corners) {
-    const double along = x * corner.x() + y * corner.y() + z * corner.z();
-    least = along < least ? along : least;
+int lowest_corner(const Hull& hull, const Vec3& direction) {
+  const auto lowest =
+      std::ranges::min_element(hull.corners, {}, [&](const Vec3& corner) { return direction.dot(corner); });
+  return static_cast<int>(lowest - hull.corners.begin());
+}
+
+/// Three coordinates of four items.
+struct Triples {
+  simd::DoubleLanes x, y, z;
+  void set(int lane, const Vec3& v) { x[lane] = v.x(), y[lane] = v.y(), z[lane] = v.z(); }
+};
+simd::DoubleLanes dot(const Triple& a, const Triples& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+/// Some edges of a hull, four side by side. What is left of the last four repeats its first.
+class EdgeLanes {
+ public:
+  static constexpr int kMost = 128;
+  struct Four {
+    Triples left, right, along;  ///< normals of the faces on both sides, from end to end
+    std::array<int, simd::kDoubleLanes> edges;
+  };
+
+  explicit EdgeLanes(const Hull& hull) : hull_(hull) {}
+  bool is_full() const { return count_ == kMost; }
+  void clear() { count_ = 0; }
+  void add(int index) {
+    const int first = count_ % simd::kDoubleLanes;
+    Four& four = fours_[count_++ / simd::kDoubleLanes];
+    const Hull::Edge& edge = hull_.edges[index];
+    for (int lane = first; lane < (first == 0 ? simd::kDoubleLanes : first + 1); ++lane) {
+      four.left.set(lane, hull_.faces[edge.left].normal);
+      four.right.set(lane, hull_.faces[edge.right].normal);
+      four.along.set(lane, hull_.corners[edge.to] - hull_.corners[edge.from]);
+      four.edges[lane] = index;
+    }
   }
-  return least;
-}
+  std::span<const Four> fours() const {
+    return {fours_.data(), static_cast<std::size_t>((count_ + simd::kDoubleLanes - 1) / simd::kDoubleLanes)};
+  }
+  int count() const { return count_; }
 
-const Vec3& lowest_corner(const Hull& hull, const Vec3& direction) {
-  return *std::ranges::min_element(hull.corners, {}, [&](const Vec3& corner) { return direction.dot(corner); });
-}
-
-/// Edges of a hull that may part it from another best; all of those beyond so many.
-struct EdgeChoice {
-  std::array<bool, 2 * kMostFound> chosen;
-  bool holds(int edge) const { return edge >= static_cast<int>(chosen.size()) || chosen[edge]; }
+ private:
+  const Hull& hull_;
+  std::array<Four, kMost / simd::kDoubleLanes> fours_;
+  int count_ = 0;
 };
 
 /// Two hulls, a lying at `place` in the frame of b, in which all directions are.
@@ -79,8 +107,8 @@ class HullPair {
       case Feature::edges: {
         const Vec3 outward = edge_axis(of_a, of_b);
         return outward.isZero(0) ? -kInfinity
-                                 : lowest(a_, place_.rotation.transpose() * outward) + outward.dot(place_.translation) +
-                                       lowest(b_, -outward);
+                                 : a_.lowest(place_.rotation.transpose() * outward) + outward.dot(place_.translation) +
+                                       b_.lowest(-outward);
       }
       default:
         return -kInfinity;
@@ -120,18 +148,26 @@ class HullPair {
     const auto may_edge_matter = [&](const Hull& hull, int edge, const Vec3& from_other) {
       return may_matter(largest_along_edge(hull, edge, from_other) - inner);
     };
-    EdgeChoice edges_of_b;
-    for (std::size_t j = 0; j < std::min(b_.edges.size(), edges_of_b.chosen.size()); ++j)
-      edges_of_b.chosen[j] = may_edge_matter(b_, static_cast<int>(j), b_.center - center_of_a_);
-    for (int i = 0; i < static_cast<int>(a_.edges.size()); ++i) {
-      if (!may_edge_matter(a_, i, apart)) continue;
-      if (for_each_facing_edge(i, edges_of_b, [&](int j, double separation) {
-            return consider({Feature::edges, i, j, separation, separation - for_faces});
-          }))
-        return best;
+    const int edges_of_b = static_cast<int>(b_.edges.size());
+    EdgeLanes chosen(b_);
+    for (int j = 0; j < edges_of_b; chosen.clear()) {
+      for (; j < edges_of_b && !chosen.is_full(); ++j)
+        if (may_edge_matter(b_, j, b_.center - center_of_a_)) chosen.add(j);
+      for (int i = 0; i < static_cast<int>(a_.edges.size()); ++i)
+        if (may_edge_matter(a_, i, apart) && for_each_facing_edge(i, chosen, [&](int of_b, double separation) {
+              return consider({Feature::edges, i, of_b, separation, separation - for_faces});
+            }))
+          return best;
     }
     margin = std::min(best.score - second, largest_margin);
     return best;
+  }
+
+  /// True if two edges may be where the hulls touch first: the arcs between the normals of their faces cross.
+  bool face_each_other(int of_a, int of_b) const {
+    EdgeLanes edge(b_);
+    edge.add(of_b);
+    return for_each_facing_edge(of_a, edge, [](int, double) { return true; });
   }
 
   /// Unit normal of a feature, from b to a; zero where edges are parallel.
@@ -152,33 +188,33 @@ class HullPair {
     const Vec3 outward = (on_b ? 1 : -1) * normal(feature, of_a, of_b);
     const double offset = on_b ? b_.faces[of_b].offset : a_.faces[of_a].offset + outward.dot(place_.translation);
     const Polygon face = on_b ? polygon_of_b(of_b) : polygon_of_a(of_a);
-    const Vec3 outward_in_a = place_.rotation.transpose() * outward;
-    Polygon shared = on_b ? polygon_of_a(facing_face(a_, outward_in_a)) : polygon_of_b(facing_face(b_, outward));
+    const Hull& other = on_b ? a_ : b_;
+    const Vec3 outward_in_other = on_b ? Vec3(place_.rotation.transpose() * outward) : outward;
+    const int lowest = lowest_corner(other, outward_in_other), facing = facing_face(other, lowest, outward_in_other);
+    Polygon shared = on_b ? polygon_of_a(facing) : polygon_of_b(facing);
     clip(shared, face, outward);
-    found.beside = shared.count == 0;
-    if (found.beside) {
-      const Vec3 deepest = on_b ? place_.to_world(lowest_corner(a_, outward_in_a)) : lowest_corner(b_, outward);
-      if (outward.dot(deepest) < offset) shared.add(deepest);
-    }
-    for (int i = 0; i < shared.count; ++i) {
-      const Vec3& point = shared.corners[i];
+    const auto add = [&](const Vec3& point) {
       const double distance = outward.dot(point) - offset;
-      if (distance >= reach) continue;
+      if (distance >= reach) return;
       const Vec3 beneath = point - distance * outward;
       found.add(on_b ? FoundPoint{point, beneath, distance} : FoundPoint{beneath, point, distance});
-    }
+    };
+    for (int i = 0; i < shared.count; ++i) add(shared.corners[i]);
+    found.beside = found.count == 0;
+    const Vec3 deepest = on_b ? corner_of_a(lowest) : b_.corners[lowest];
+    if (found.beside && outward.dot(deepest) < offset) add(deepest);
     return found;
   }
 
  private:
   double separation_along_face_of_b(int face) const {
     const Vec3& normal = b_.faces[face].normal;
-    return lowest(a_, place_.rotation.transpose() * normal) + normal.dot(place_.translation) - b_.faces[face].offset;
+    return a_.lowest(place_.rotation.transpose() * normal) + normal.dot(place_.translation) - b_.faces[face].offset;
   }
 
   double separation_along_face_of_a(int face) const {
     const Vec3 normal = place_.rotation * a_.faces[face].normal;
-    return lowest(b_, normal) - normal.dot(place_.translation) - a_.faces[face].offset;
+    return b_.lowest(normal) - normal.dot(place_.translation) - a_.faces[face].offset;
   }
 
   Vec3 corner_of_a(int corner) const { return place_.to_world(a_.corners[corner]); }
@@ -210,38 +246,39 @@ class HullPair {
   /// Calls use(edge of b, separation) for those edges of b that may be nearest to an edge of a: their faces' normals
   /// cross on the sphere. Stops where that says true, and returns it.
   template <class Use>
-  bool for_each_facing_edge(int of_a, const EdgeChoice& edges_of_b, Use use) const {
+  bool for_each_facing_edge(int of_a, const EdgeLanes& edges_of_b, Use use) const {
     const Hull::Edge& edge = a_.edges[of_a];
     const Triple left(place_.rotation * a_.faces[edge.left].normal),
         right(place_.rotation * a_.faces[edge.right].normal);
     const Triple along(place_.rotation * (a_.corners[edge.to] - a_.corners[edge.from]));
-    std::array<double, kMostFound> tilts;  // of b's faces along the edge
-    const int tilt_count = std::min(static_cast<int>(b_.faces.size()), kMostFound);
-    for (int face = 0; face < tilt_count; ++face) tilts[face] = -dot(Triple(b_.faces[face].normal), along);
-    const auto tilt = [&](int face) {
-      return face < tilt_count ? tilts[face] : -dot(Triple(b_.faces[face].normal), along);
-    };
-    for (int j = 0; j < static_cast<int>(b_.edges.size()); ++j) {
-      if (!edges_of_b.holds(j)) continue;
-      const Hull::Edge& other = b_.edges[j];
-      const double first = tilt(other.left), second = tilt(other.right);
-      if (first * second >= 0) continue;
-      const Triple along_b = Triple(b_.corners[other.to]) - Triple(b_.corners[other.from]);
-      const double third = dot(left, along_b), fourth = dot(right, along_b);
-      if (third * fourth >= 0 || first * fourth <= 0) continue;
-      const Vec3 axis = edge_axis(of_a, j);
-      if (!axis.isZero(0) && use(j, axis.dot(corner_of_a(edge.from) - b_.corners[other.from]))) return true;
+    int first_lane = 0;
+    for (const EdgeLanes::Four& four : edges_of_b.fours()) {
+      const simd::DoubleLanes first = -dot(along, four.left), second = -dot(along, four.right);
+      const simd::DoubleLanes third = dot(left, four.along), fourth = dot(right, four.along);
+      const simd::DoubleMask facing = (first * second < 0.0) & (third * fourth < 0.0) & (first * fourth > 0.0);
+      const int lanes = std::min(simd::kDoubleLanes, edges_of_b.count() - first_lane);
+      first_lane += simd::kDoubleLanes;
+      if (!simd::any_of(facing)) continue;
+      for (int lane = 0; lane < lanes; ++lane) {
+        if (!facing[lane]) continue;
+        const Vec3 axis = edge_axis(of_a, four.edges[lane]);
+        const Vec3& from_b = b_.corners[b_.edges[four.edges[lane]].from];
+        if (!axis.isZero(0) && use(four.edges[lane], axis.dot(corner_of_a(edge.from) - from_b))) return true;
+      }
     }
     return false;
   }
 
-  /// The face that looks most against a direction.
-  static int facing_face(const Hull& hull, const Vec3& direction) {
+  /// Of the faces at a corner the one that looks most against a direction.
+  static int facing_face(const Hull& hull, int corner, const Vec3& direction) {
     int best = 0;
     double least = kInfinity;
     for (int i = 0; i < static_cast<int>(hull.faces.size()); ++i) {
-      const double along = direction.dot(hull.faces[i].normal);
+      const Hull::Face& face = hull.faces[i];
+      const double along = direction.dot(face.normal);
       if (along >= least) continue;
+      const std::span<const int> loop = std::span(hull.loops).subspan(face.first, face.count);
+      if (std::ranges::find(loop, corner) == loop.end()) continue;
       least = along;
       best = i;
     }
@@ -391,7 +428,8 @@ void find_contacts(Manifold& manifold, const SizedHull& a, const SizedHull& b, c
   manifold.seen = a_in_b;
   manifold.seen_reach = reach;
   manifold.separation = pair.separation_along(manifold.feature, manifold.of_a, manifold.of_b);
-  const bool lost = manifold.separation == -kInfinity;
+  const bool lost = manifold.separation == -kInfinity ||
+                    (manifold.feature == Feature::edges && !pair.face_each_other(manifold.of_a, manifold.of_b));
   if (!(manifold.separation > reach) && (lost || !(manifold.drift < manifold.margin)))
     take_best_axis(manifold, pair, reach, kForFaces * radius, kLargestMargin * radius);
   if (manifold.separation > reach) return void(manifold.count = 0);

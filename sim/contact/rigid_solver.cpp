@@ -60,6 +60,18 @@ class GroupStep {
     return static_cast<int>(rows_.points.size()) * sweeps;
   }
 
+  /// Leads out of overlaps at the start.
+  void only_push() {
+    for (Point& point : rows_.points) point.gap = point.distance;
+    push_apart();
+    for (const Block& block : rows_.blocks)
+      for (const int side : {block.a, block.b}) {
+        if (!motions_[side].moves) continue;
+        bodies_[side].push = motions_[side].push_velocity.vector();
+        bodies_[side].push_rotation = motions_[side].push_spin.vector();
+      }
+  }
+
  private:
   // A substep.
 
@@ -305,12 +317,8 @@ class GroupStep {
   double acceleration_ = 0;  // the largest by external forces [m/s²]
 };
 
-}  // namespace
-
-int solve_rigid(std::span<RigidBody> bodies, std::span<RigidContact> contacts, std::span<const RigidGroup> groups,
-                double dt) {
+std::vector<Motion> motions_of(std::span<const RigidBody> bodies) {
   std::vector<Motion> motions(bodies.size());
-  std::vector<Turn> turns(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i)
     motions[i] = {Triple(bodies[i].velocity),
                   Triple(bodies[i].spin),
@@ -320,11 +328,27 @@ int solve_rigid(std::span<RigidBody> bodies, std::span<RigidContact> contacts, s
                   Symmetric(bodies[i].inverse_inertia),
                   Triple(),
                   Triple()};
+  return motions;
+}
+
+}  // namespace
+
+int solve_rigid(std::span<RigidBody> bodies, std::span<RigidContact> contacts, std::span<const RigidGroup> groups,
+                double dt) {
+  std::vector<Motion> motions = motions_of(bodies);
+  std::vector<Turn> turns(bodies.size());
   std::vector<int> work(groups.size());
   parallel_for(static_cast<int>(groups.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) work[i] = GroupStep(bodies, motions, turns, contacts, groups[i], dt).solve();
   });
   return std::accumulate(work.begin(), work.end(), 0);
+}
+
+void push_apart(std::span<RigidBody> bodies, std::span<RigidContact> contacts, std::span<const RigidGroup> groups) {
+  std::vector<Motion> motions = motions_of(bodies);
+  parallel_for(static_cast<int>(groups.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) GroupStep(bodies, motions, {}, contacts, groups[i], 1).only_push();
+  });
 }
 
 }  // namespace griffith::contact

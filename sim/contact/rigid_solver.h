@@ -23,17 +23,17 @@ struct RigidBody {
 
 /// A point where two rigid bodies touch or may touch within the step.
 struct RigidContact {
-  int a, b;                     ///< bodies
-  Vec3 normal;                  ///< unit, from b to a
-  Vec3 arm_a, arm_b;            ///< from the centres or hinges [m]
-  double fallen;                ///< how deep it lies along gravity: sweeps down through a pile carry its load at once
-  double distance;              ///< [m], negative where they overlap by more than is allowed
-  double resting;               ///< overlap that stays [m]
-  double friction;              ///< Coulomb's coefficient
-  double restitution;           ///< of the normal velocity; 0 where it does not strike
-  double approach;              ///< that the step would have without contacts [m/s]
-  double fall;                  ///< what of it the step's external forces add [m/s]
-  Vec3 force;                   ///< on a: of the last step; then of this one's last substep [N]
+  int a = 0, b = 0;                                 ///< bodies
+  Vec3 normal = Vec3::Zero();                       ///< unit, from b to a
+  Vec3 arm_a = Vec3::Zero(), arm_b = Vec3::Zero();  ///< from the centres or hinges [m]
+  double fallen = 0;            ///< how deep it lies along gravity: sweeps down through a pile carry its load at once
+  double distance = 0;          ///< [m], negative where they overlap by more than is allowed
+  double resting = 0;           ///< overlap that stays [m]
+  double friction = 0;          ///< Coulomb's coefficient
+  double restitution = 0;       ///< of the normal velocity; 0 where it does not strike
+  double approach = 0;          ///< that the step would have without contacts [m/s]
+  double fall = 0;              ///< what of it the step's external forces add [m/s]
+  Vec3 force = Vec3::Zero();    ///< on a: of the last step; then of this one's last substep [N]
   Vec3 impulse = Vec3::Zero();  ///< found: on a [N·s]
 };
 
@@ -51,5 +51,9 @@ struct RigidGroup {
 /// a contact was solved.
 int solve_rigid(std::span<RigidBody> bodies, std::span<RigidContact> contacts, std::span<const RigidGroup> groups,
                 double dt);
+
+/// Takes the same share of overlaps out of groups of bodies by displacements alone: writes `push` and `push_rotation`.
+/// Of each contact one body at least has to move.
+void push_apart(std::span<RigidBody> bodies, std::span<RigidContact> contacts, std::span<const RigidGroup> groups);
 
 }  // namespace griffith::contact

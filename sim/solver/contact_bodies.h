@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/core/linear_algebra.h"
-#include "sim/core/point_compliance.h"
+#include "sim/core/weighted_rows.h"
 #include "sim/solver/block_sparse_matrix.h"
 #include "sim/solver/preconditioner.h"
 #include "sim/solver/whole_motion.h"

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/core/point_compliance.h"
+#include "sim/core/lanes.h"
 #include "sim/solver/block_sparse_matrix.h"
 #include "sim/solver/block_triangle.h"
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/solver/dense_cholesky.h"
+#include "sim/solver/factor_preconditioner.h"
 
 namespace griffith {
 namespace {

@@ -126,5 +126,64 @@ TEST(Manifold, FollowedStepByStepItIsAsFoundAtOnce) {
   }
 }
 
+/// Two tetrahedra as cracks leave them, flat or thin.
+struct SliverPair : RandomPair {
+  explicit SliverPair(unsigned seed) : RandomPair(seed) {
+    a = Hull(convex_hull(sliver()));
+    b = Hull(convex_hull(sliver()));
+  }
+  ConvexPart sliver() {
+    std::uniform_real_distribution<double> uniform(0.1, 1);
+    const Vec3 size(0.5, 0.5 * uniform(random), 0.5 * uniform(random) * uniform(random));
+    ConvexPart corners(4);
+    for (Vec3& corner : corners) corner = size.cwiseProduct(direction());
+    return corners;
+  }
+};
+
+// The face that is met need not look most against the one that it meets: that may be a face on the other side of a tip.
+TEST(Manifold, ThinTetrahedraThatOverlapHavePointsAsDeepAsTheyOverlap) {
+  constexpr double kForFaces = 2e-3 * 0.7;  // so much a face may be worse than two edges
+  int overlapping = 0;
+  for (unsigned seed = 0; seed < 2000; ++seed) {
+    SliverPair pair(seed);
+    if (!pair.a.is_solid() || !pair.b.is_solid()) continue;
+    Place place = pair.place();
+    place.translation *= 0.5;
+    const Manifold manifold = pair.found(place, 0.01);
+    if (!(manifold.separation < -0.01)) continue;
+    ++overlapping;
+    ASSERT_GT(manifold.count, 0) << seed;
+    double deepest = 0;
+    for (const Manifold::Point& point : manifold.listed())
+      deepest = std::min(deepest, manifold.normal_in_b.dot(place.to_world(point.on_a) - point.on_b));
+    EXPECT_NEAR(deepest, manifold.separation, kForFaces) << seed;
+  }
+  EXPECT_GT(overlapping, 200);
+}
+
+// The axis across two edges that do not face each other any more parts nothing, and may look the other way.
+TEST(Manifold, ThinTetrahedraFollowedStepByStepOverlapAsMuchAsFoundAtOnce) {
+  int overlapping = 0;
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    SliverPair pair(seed);
+    if (!pair.a.is_solid() || !pair.b.is_solid()) continue;
+    Place place = pair.place();
+    Manifold followed;
+    const Vec3 way = -0.004 * place.translation.normalized();
+    const Mat3 turn = Eigen::AngleAxisd(0.02, pair.direction()).toRotationMatrix();
+    for (int step = 0; step < 100; ++step) {
+      place = {turn * place.rotation, place.translation + way};
+      contact::find_contacts(followed, {pair.a, 0.7}, {pair.b, 0.7}, place, 0.01);
+      const Manifold fresh = pair.found(place, 0.01);
+      if (!(fresh.separation < 0)) continue;
+      ++overlapping;
+      ASSERT_GT(followed.count, 0) << seed << ' ' << step;
+      ASSERT_NEAR(followed.separation, fresh.separation, 0.003) << seed << ' ' << step;
+    }
+  }
+  EXPECT_GT(overlapping, 2000);
+}
+
 }  // namespace
 }  // namespace griffith

@@ -163,6 +163,23 @@ void expect_to_stand(Heap& heap, double dt, double tolerance) {
   EXPECT_TRUE(heap.all_sleep()) << "dt " << dt;
 }
 
+// Bricks in flight near each other, then in a heap. Most boxes that meet hold nothing that touches.
+TEST(RigidHeap, APieceTakesNoMoreThanFourKilobytes) {
+  Heap heap(1.0 / 120);
+  for (int i = 0; i < 300; ++i) {
+    RigidState state = at(0.17 * Vec3(i % 6 - 2.5, 1.2 + i / 36, i / 6 % 6 - 2.5));
+    state.pose.rotation = Quat(rotation_by(Vec3(0.6 * (i % 3), 0.4 * (i % 5), 0.3 * (i % 7))));
+    heap.add_box(Vec3(0.12, 0.08, 0.1), 2000, state);
+  }
+  std::size_t most = 0;
+  for (int step = 0; step < 150; ++step) {
+    heap.step();
+    most = std::max(most, heap.world.memory());
+  }
+  EXPECT_GT(heap.world.contacts().size(), 300u);
+  EXPECT_LT(most, 300u * 4096u);
+}
+
 TEST(RigidHeap, StackedPlatesStand) {
   for (const double dt : {1.0 / 30, 1.0 / 120, 1.0 / 250}) {
     Heap heap(dt);

@@ -13,11 +13,8 @@ using namespace contact;
 
 namespace {
 
-/// The share of an overlap that goes in a substep, and the overlap, as a share of the smaller radius, that stays, so
-/// that all contacts of what rests go on touching.
-constexpr double kCorrectionFraction = 0.1, kRestingFraction = 3e-4;
-/// Of what goes, the next substeps take what this one leaves.
-constexpr SolverLimits kRoughly{.work = 6'000, .min_sweeps = 8, .max_sweeps = 50, .tolerance = 1e-3};
+/// The overlap, as a share of the smaller radius, that stays, so that all contacts of what rests go on touching.
+constexpr double kRestingFraction = 3e-4;
 
 Mat3 contact_axes(const Vec3& normal) {
   Mat3 axes;
@@ -27,18 +24,9 @@ Mat3 contact_axes(const Vec3& normal) {
   return axes;
 }
 
-/// The solver body of a rigid object.
-SolverBody rigid_solver_body(const Object& object) {
-  SolverBody solver_body;
-  if (object.asleep) return solver_body;
-  solver_body.inverse_mass = object.inverse_mass;
-  const Mat3 rotation = object.state.pose.rotation.toRotationMatrix();
-  solver_body.inverse_inertia = rotation * object.inverse_inertia * rotation.transpose();
-  return solver_body;
-}
-
-Vec3 rigid_velocity(const SolverBody& solver_body, const ContactEnd& end) {
-  return solver_body.velocity + solver_body.angular_velocity.cross(end.arm);
+/// How a rigid object answers a torque [1/(kg·m²)].
+Mat3 inverse_inertia_in_world(const Object& object) {
+  return object.place.rotation * object.inverse_inertia * object.place.rotation.transpose();
 }
 
 }  // namespace
@@ -53,35 +41,19 @@ double contact::distance_beyond(double distance, double allowed_overlap) {
   return distance < 0 ? std::min(0.0, distance + allowed_overlap) : distance;
 }
 
-std::vector<SolverBody> ContactWorld::Impl::rigid_solver_bodies(double dt) const {
-  std::vector<SolverBody> made;
-  made.reserve(objects.size());
-  for (const Object& object : objects) {
-    made.push_back(rigid_solver_body(object));
-    made.back().velocity = object.state.velocity;
-    made.back().angular_velocity = object.state.angular_velocity;
-    if (object.kind == Kind::projectile && object.moves()) made.back().velocity += dt * gravity;
-  }
-  return made;
-}
-
-/// Those of groups with something elastic. Sweeps down through a pile carry its load at once.
-std::vector<ContactConstraint> ContactWorld::Impl::constraints(double dt) const {
-  std::vector<ContactConstraint> made(elastic_contacts.size());
-  for (std::size_t i = 0; i < made.size(); ++i) {
-    const Contact& contact = contacts[elastic_contacts[i]];
-    const Object &a = objects[contact.a], &b = objects[contact.b];
-    ContactConstraint& row = made[i];
-    row.a = {static_cast<int>(contact.a.index()), -1, contact.position - a.state.pose.translation};
-    row.b = {static_cast<int>(contact.b.index()), -1, contact.position - b.state.pose.translation};
-    row.axes = contact_axes(contact.normal);
-    row.friction = std::sqrt(a.surface.friction * b.surface.friction);
-    // The last impulse, as a mean force: contacts hardly turn.
-    row.impulse = dt * (row.axes.transpose() * remembered_force(memories[elastic_contacts[i]]));
-    row.impulse[0] = std::max(0.0, row.impulse[0]);
-    if (row.friction == 0) row.impulse.tail<2>().setZero();
-  }
-  return made;
+/// What a contact with something elastic is to be solved by, without its velocities.
+ContactWorld::Law ContactWorld::Impl::law_of(const Contact& contact, const Memory& memory, double dt) const {
+  const Object &a = objects[contact.a], &b = objects[contact.b];
+  Law law;
+  law.arm_a = contact.position - a.state.pose.translation;
+  law.arm_b = contact.position - b.state.pose.translation;
+  law.axes = contact_axes(contact.normal);
+  law.friction = std::sqrt(a.surface.friction * b.surface.friction);
+  // The last impulse, as a mean force: contacts hardly turn.
+  law.guess = dt * (law.axes.transpose() * remembered_force(memory));
+  law.guess[0] = std::max(0.0, law.guess[0]);
+  if (law.friction == 0) law.guess.tail<2>().setZero();
+  return law;
 }
 
 /// A slower approach does not strike: that of what falls from rest within a substep, and of a fall through a small
@@ -133,31 +105,34 @@ int ContactWorld::Impl::solve(double dt, std::span<const ElasticObject> elastic,
 
 /// Finds the laws of the contacts that the owner is to solve.
 void ContactWorld::Impl::prepare_elastic_groups(double dt, std::span<const ElasticObject> elastic) {
-  row_of.assign(contacts.size(), -1);
-  for (std::size_t i = 0; i < elastic_contacts.size(); ++i) row_of[elastic_contacts[i]] = static_cast<int>(i);
-  solved = constraints(dt);
-  free_velocities.assign(solved.size(), Vec3::Zero());
-  if (solved.empty()) return;
-  const std::vector<SolverBody> solver_bodies = rigid_solver_bodies(dt);
-  std::vector<const ElasticObject*> elastic_of(objects.size(), nullptr);
-  for (const ElasticObject& object : elastic) {
-    elastic_of[object.object] = &object;
+  law_of_contact.assign(contacts.size(), -1);
+  laws.clear();
+  for (const int i : elastic_contacts) {
+    law_of_contact[i] = static_cast<int>(laws.size());
+    laws.push_back(law_of(contacts[i], memories[i], dt));
+    laws.back().free_velocity =
+        rigid_velocity(contacts[i].a, laws.back().arm_a, dt) - rigid_velocity(contacts[i].b, laws.back().arm_b, dt);
+  }
+  for (const ElasticObject& object : elastic)
     for (std::size_t point = 0; point < object.contacts.size(); ++point) {
-      ContactConstraint& row = solved[row_of[object.contacts[point]]];
-      (row.a.solver_body == object.object.index() ? row.a : row.b).point = static_cast<int>(point);
+      const int i = object.contacts[point];
+      const Vec3 velocity = object.free_velocities.col(static_cast<Eigen::Index>(point));
+      laws[law_of_contact[i]].free_velocity += contacts[i].a == object.object ? velocity : Vec3(-velocity);
     }
+  for (const int i : elastic_contacts) {
+    Law& law = laws[law_of_contact[i]];
+    contacts[i].approach = -contacts[i].normal.dot(law.free_velocity);
+    contacts[i].impulse.setZero();
+    law.target_velocity = target_velocity(contacts[i], dt);
   }
-  const auto free_velocity = [&](const ContactEnd& end) {
-    if (const ElasticObject* object = elastic_of[end.solver_body]) return Vec3(object->free_velocities.col(end.point));
-    return rigid_velocity(solver_bodies[end.solver_body], end);
-  };
-  for (std::size_t i = 0; i < solved.size(); ++i) {
-    Contact& contact = contacts[elastic_contacts[i]];
-    free_velocities[i] = free_velocity(solved[i].a) - free_velocity(solved[i].b);
-    contact.approach = -contact.normal.dot(free_velocities[i]);
-    contact.impulse.setZero();
-    solved[i].target_velocity = target_velocity(contact, dt);
-  }
+}
+
+/// Velocity of a point of a rigid object without impulses; none of an elastic one, whose owner knows it [m/s].
+Vec3 ContactWorld::Impl::rigid_velocity(ProxyId id, const Vec3& arm, double dt) const {
+  const Object& object = objects[id];
+  if (object.elastic) return Vec3::Zero();
+  const Vec3 velocity = object.state.velocity + object.state.angular_velocity.cross(arm);
+  return object.kind == Kind::projectile && object.moves() ? Vec3(velocity + dt * gravity) : velocity;
 }
 
 std::vector<std::vector<int>> ContactWorld::Impl::elastic_groups() const {
@@ -207,7 +182,7 @@ void ContactWorld::Impl::advance(double dt) {
   note_carried();
   read_back_impulses(dt);
   resist_rolling();
-  correct_positions(solved, dt);
+  push_elastic_groups_apart(dt);
   move_rigid_groups(dt);
   strays = find_strays(dt);
   if (move_projectiles(dt)) strays = find_strays(dt);
@@ -233,33 +208,51 @@ void ContactWorld::Impl::read_back_impulses(double dt) {
     if (!object.moves() || object.elastic) continue;
     if (object.kind == Kind::projectile) object.state.velocity += dt * gravity;
     if (sums[i].linear.isZero(0)) continue;
-    const SolverBody solver_body = rigid_solver_body(object);
-    object.state.velocity += solver_body.inverse_mass * sums[i].linear;
-    object.state.angular_velocity += solver_body.inverse_inertia * sums[i].angular;
+    object.state.velocity += object.inverse_mass * sums[i].linear;
+    object.state.angular_velocity += inverse_inertia_in_world(object) * sums[i].angular;
   }
 }
 
-/// Displacements that take out a share of the overlaps, as velocities of a solve of their own.
-void ContactWorld::Impl::correct_positions(const std::vector<ContactConstraint>& constraints, double dt) {
+/// Displaces what touches something elastic out of its overlaps, all of it as rigid bodies.
+void ContactWorld::Impl::push_elastic_groups_apart(double dt) {
   for (Object& object : objects) object.correction = {};
-  std::vector<ContactConstraint> overlaps = constraints;
-  bool any = false;
-  for (std::size_t i = 0; i < overlaps.size(); ++i) {
-    const Contact& contact = contacts[elastic_contacts[i]];
-    const double distance = distance_beyond(contact.distance, allowance(contact.a, contact.b));
-    const double excess = -distance - kRestingFraction * smaller_radius(objects[contact.a], objects[contact.b]);
-    overlaps[i].friction = 0;
-    overlaps[i].impulse.setZero();
-    overlaps[i].target_velocity = excess > 0 ? kCorrectionFraction * excess : -std::max(0.0, distance);
-    any |= excess > 0;
+  const auto overlaps = [&](int i) { return overlap_contact(contacts[i]).distance < 0; };
+  if (std::ranges::none_of(elastic_contacts, overlaps)) return;
+  std::vector<RigidBody> bodies(objects.size());
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    bodies[i].moves = objects[i].moves();
+    if (!bodies[i].moves) continue;
+    bodies[i].inverse_mass = objects[i].inverse_mass;
+    bodies[i].inverse_inertia = inverse_inertia_in_world(objects[i]);
   }
-  if (!any) return;
-  std::vector<SolverBody> moving;
-  for (const Object& object : objects) moving.push_back(rigid_solver_body(object));
-  solve_impulses(overlaps, moving, kRoughly);
-  for (std::size_t i = 0; i < objects.size(); ++i)
-    objects[i].correction = {moving[i].velocity, moving[i].angular_velocity};
+  std::vector<RigidContact> rows;
+  std::vector<RigidGroup> groups;
+  for (const std::vector<int>& group : elastic_groups()) {
+    std::vector<int>& of_group = groups.emplace_back().contacts;
+    for (const int i : group) {
+      if (!objects[contacts[i].a].moves() && !objects[contacts[i].b].moves()) continue;
+      of_group.push_back(static_cast<int>(rows.size()));
+      rows.push_back(overlap_contact(contacts[i]));
+    }
+  }
+  push_apart(bodies, rows, groups);
+  for (std::size_t i = 0; i < objects.size(); ++i) objects[i].correction = {bodies[i].push, bodies[i].push_rotation};
   limit_lift(dt);
+}
+
+/// A contact of which only the overlap counts.
+RigidContact ContactWorld::Impl::overlap_contact(const Contact& contact) const {
+  const Object &a = objects[contact.a], &b = objects[contact.b];
+  RigidContact row;
+  row.a = static_cast<int>(contact.a.index());
+  row.b = static_cast<int>(contact.b.index());
+  row.normal = contact.normal;
+  row.arm_a = contact.position - a.state.pose.translation;
+  row.arm_b = contact.position - b.state.pose.translation;
+  row.fallen = gravity.dot(contact.position);
+  row.distance = distance_beyond(contact.distance, allowance(contact.a, contact.b));
+  row.resting = kRestingFraction * smaller_radius(a, b);
+  return row;
 }
 
 /// Of each group of objects that touch, corrections lift no more than the substep let fall or slowed down: energy does

@@ -192,12 +192,7 @@ int ContactWorld::solve(double dt, std::span<const ElasticObject> elastic, std::
   return impl_->solve(dt, elastic, hinged);
 }
 std::vector<std::vector<int>> ContactWorld::elastic_groups() const { return impl_->elastic_groups(); }
-ContactWorld::Law ContactWorld::law(int contact) const {
-  const int index = impl_->row_of[contact];
-  const ContactConstraint& row = impl_->solved[index];
-  return {row.axes,  row.target_velocity, row.friction, impl_->free_velocities[index],
-          row.a.arm, row.b.arm,           row.impulse};
-}
+ContactWorld::Law ContactWorld::law(int contact) const { return impl_->laws[impl_->law_of_contact[contact]]; }
 std::optional<RigidMass> ContactWorld::rigid_mass(ProxyId object) const {
   const Object& found = impl_->objects[object];
   if (!found.moves() || found.elastic) return {};
@@ -221,10 +216,9 @@ std::vector<ContactWorld::Encounter> ContactWorld::expected_impacts(double dt, d
   return impl_->expected_impacts(dt, minimum_speed, tolerance, matters);
 }
 std::size_t ContactWorld::memory() const {
-  return impl_->objects.size() * (sizeof(Object) + sizeof(RigidBody)) + impl_->tree.memory() +
-         impl_->pairs.size() * sizeof(Pair) + impl_->manifolds.size() * sizeof(Manifold) +
-         impl_->contacts.size() * (sizeof(Contact) + sizeof(Memory) + sizeof(int)) +
-         impl_->solved.size() * sizeof(ContactConstraint);
+  return impl_->objects.size() * sizeof(Object) + impl_->tree.memory() + impl_->pairs.size() * sizeof(Pair) +
+         impl_->manifolds.size() * sizeof(Manifold) +
+         impl_->contacts.size() * (sizeof(Contact) + sizeof(Memory) + sizeof(int)) + impl_->laws.size() * sizeof(Law);
 }
 double ContactWorld::max_penetration() const {
   double deepest = 0;

@@ -12,7 +12,6 @@
 #include "sim/contact/bullet/shapes.h"
 #include "sim/contact/bullet/sweep.h"
 #include "sim/contact/contact_world.h"
-#include "sim/contact/impulse_solver.h"
 #include "sim/contact/manifold.h"
 #include "sim/contact/rigid_solver.h"
 
@@ -102,7 +101,7 @@ struct NodeContact {
 struct Pair {
   int a, b;            ///< objects, a < b
   int part_a, part_b;  ///< 0 in the ground
-  int manifold;        ///< index into ContactState::manifolds
+  int manifold;        ///< index into ContactState::manifolds; -1 while the two are too far from each other for one
   int count = 0;       ///< of its points
   auto key() const { return std::tie(a, b, part_a, part_b); }
 };
@@ -124,6 +123,30 @@ struct Memory {
   int node_contact = -1;  ///< index into ContactState::node_contacts
 };
 
+/// Lists that each substep fills anew: members so that their memory is used again. No part of a world's value.
+struct SubstepScratch {
+  struct ClosePair {
+    int pair;    ///< index into ContactState::pairs
+    double gap;  ///< below which its points are listed [m]
+  };
+  std::vector<ClosePair> close_pairs;
+  std::vector<Box> boxes;        ///< per leaf of the tree, of what is active: where it may be in this step
+  std::vector<int> first_pairs;  ///< per object: its first pair as the first of the two; and the end
+  std::vector<Pair> found;
+  std::vector<RigidBody> rigid_bodies;       ///< per object, as the last solve() moved them
+  std::vector<RigidContact> rigid_contacts;  ///< of groups without anything elastic
+  std::vector<int> contact_of_row;           ///< per rigid contact: index into ContactState::contacts
+
+  void keep_box(int leaf, const Box& box) {
+    if (leaf >= static_cast<int>(boxes.size())) boxes.resize(leaf + 1);
+    boxes[leaf] = box;
+  }
+
+  SubstepScratch() = default;
+  SubstepScratch(const SubstepScratch&) {}
+  SubstepScratch& operator=(const SubstepScratch&) { return *this; }
+};
+
 /// What a world keeps from one substep to the next: a value.
 struct ContactState {
   Vec3 gravity = Vec3::Zero();
@@ -142,12 +165,9 @@ struct ContactState {
   std::vector<int> free_manifolds;
   Strays strays;  ///< as the last advance() moves everything
 
-  /// What solve() asked of each contact, in groups with something elastic.
-  std::vector<ContactConstraint> solved;
-  std::vector<Vec3> free_velocities;     ///< per row of `solved`: of a relative to b, without impulses [m/s]
-  std::vector<int> row_of;               ///< per contact: index into `solved`, -1 where all is rigid
+  std::vector<ContactWorld::Law> laws;   ///< of contacts in groups with something elastic, of the last solve()
+  std::vector<int> law_of_contact;       ///< per contact: index into `laws`, -1 where all is rigid
   std::vector<HingedObject> hinged;      ///< as given to the last solve()
-  std::vector<RigidBody> rigid_bodies;   ///< per object, as the last solve() moved them
   std::vector<RigidGroup> rigid_groups;  ///< those without anything elastic, of the last solve()
   std::vector<bool> moves_rigidly;       ///< per object: in one of these
   std::vector<int> elastic_contacts;     ///< all others
@@ -159,6 +179,8 @@ namespace griffith {
 
 struct ContactWorld::Impl : contact::ContactState {
   explicit Impl(const Vec3& world_gravity) { gravity = world_gravity; }
+
+  contact::SubstepScratch scratch;
 
   // Objects.
   ProxyId add(contact::Object object, const RigidMass& mass);
@@ -179,9 +201,14 @@ struct ContactWorld::Impl : contact::ContactState {
   void drop_parted_pairs(const std::vector<bool>& moved);
   void add_pairs_of(const contact::BoxTree::Item& item, std::vector<contact::Pair>& found) const;
   bool may_meet(const contact::Object& a, const contact::Object& b) const;
+  void find_first_pairs();
+  int take_manifold();
+  void give_back_manifold(int manifold);
+  const contact::Box& present_box(const contact::Object& object, int part) const;
+  bool parts_may_touch(const contact::Pair& pair, double gap) const;
+  void list_close_pairs(double dt);
   void erase_pairs(const std::function<bool(const contact::Pair&)>& gone);
   void find_points(double dt);
-  int find_points(const contact::Pair& pair, double gap);
   void find_points(const contact::Pair& pair, contact::Manifold& manifold, double gap) const;
   double with_fall(double speed, double dt) const;
   double reach(const contact::Object& a, const contact::Object& b, double dt) const;
@@ -208,8 +235,8 @@ struct ContactWorld::Impl : contact::ContactState {
   contact::RigidBody rigid_body(const contact::Object& object, double dt) const;
   const Vec3& center(const contact::Object& object) const;
   contact::RigidContact rigid_contact(std::size_t contact, double dt) const;
-  std::vector<contact::SolverBody> rigid_solver_bodies(double dt) const;
-  std::vector<contact::ContactConstraint> constraints(double dt) const;
+  Law law_of(const Contact& contact, const contact::Memory& memory, double dt) const;
+  Vec3 rigid_velocity(ProxyId id, const Vec3& arm, double dt) const;
   double target_velocity(const Contact& contact, double dt) const;
   double rebound_speed(const Contact& contact, double dt) const;
   bool strikes(const Contact& contact, double dt) const;
@@ -223,7 +250,8 @@ struct ContactWorld::Impl : contact::ContactState {
   std::vector<Momentum> impulse_sums() const;
   void read_back_impulses(double dt);
   void move_rigid_groups(double dt);
-  void correct_positions(const std::vector<contact::ContactConstraint>& constraints, double dt);
+  void push_elastic_groups_apart(double dt);
+  contact::RigidContact overlap_contact(const Contact& contact) const;
   void limit_lift(double dt);
 
   // Rest.

@@ -51,6 +51,12 @@ double highest_speed(const Flight& flight, double dt) {
   return flight.velocity.norm() + dt * flight.acceleration.norm() + flight.turning_speed();
 }
 
+/// What of an object says whether it may strike another hard.
+struct Flyer {
+  double speed, impact_speed;  ///< that no point of it exceeds; from which it could be hurt [m/s]
+  bool moves;
+};
+
 /// A convex part of an object in flight.
 struct FlyingPart {
   const Flight& flight;
@@ -168,18 +174,25 @@ std::optional<ContactWorld::Encounter> ContactWorld::Impl::expected_impact(std::
   return impact;
 }
 
-/// Looks at pairs of which one object at least is fast enough.
+/// Looks at pairs that are fast enough together.
 std::vector<ContactWorld::Encounter> ContactWorld::Impl::expected_impacts(double dt, double minimum_speed,
                                                                           double tolerance,
                                                                           const PairFilter& matters) const {
-  std::vector<bool> fast(objects.size(), false);
-  for (std::size_t i = 0; i < objects.size(); ++i)
-    if (objects[i].exists && objects[i].kind != Kind::ground && (objects[i].moves() || !objects[i].is_still()))
-      fast[i] = highest_speed(flight_of(objects[i], gravity), dt) > minimum_speed / 2;
-  if (std::ranges::find(fast, true) == fast.end()) return {};
+  std::vector<Flyer> flyers;
+  double fastest = 0, weakest = std::numeric_limits<double>::infinity();
+  for (const Object& object : objects) {
+    const bool flies = object.exists && object.kind != Kind::ground && (object.moves() || !object.is_still());
+    const double speed = flies ? highest_speed(flight_of(object, gravity), dt) : 0;
+    flyers.push_back({speed, object.impact_speed, object.moves()});
+    fastest = std::max(fastest, speed);
+    if (object.exists) weakest = std::min(weakest, object.impact_speed);
+  }
+  if (2 * fastest <= std::max(minimum_speed, weakest)) return {};
   std::vector<std::pair<int, int>> near;
-  for_each_near(dt, [&](int a, int b) {
-    if ((fast[a] || fast[b]) && (objects[a].moves() || objects[b].moves())) near.emplace_back(a, b);
+  for_each_near(dt, [&](int first, int second) {
+    const Flyer &a = flyers[first], &b = flyers[second];
+    const double damage_speed = std::max(minimum_speed, std::min(a.impact_speed, b.impact_speed));
+    if (a.speed + b.speed > damage_speed && (a.moves || b.moves)) near.emplace_back(first, second);
   });
   std::ranges::sort(near);
   near.erase(std::unique(near.begin(), near.end()), near.end());

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <ranges>
 #include <span>
+#include <utility>
 
 #include "sim/contact/bullet/contact_world.h"
 #include "sim/contact/bullet/sweep.h"
@@ -93,7 +95,6 @@ void find_ground_points(Manifold& manifold, const Hull& hull, const Place& place
 
 /// Whether the spheres round two objects come within `gap` [m] of each other.
 bool spheres_meet(const Object& a, const Object& b, double gap) {
-  if (a.kind == Kind::ground || b.kind == Kind::ground) return true;
   const double reach = a.shape.radius + b.shape.radius + gap;
   return (a.place.translation - b.place.translation).squaredNorm() < reach * reach;
 }
@@ -205,14 +206,16 @@ std::vector<BoxTree::Item> ContactWorld::Impl::update_boxes(double dt) {
     const bool is_new = object.leaves.empty();
     if (is_new) object.leaves.resize(object.shape.parts.size());
     for (std::size_t part = 0; part < object.leaves.size(); ++part) {
-      Box box = box_of(object, static_cast<int>(part), dt);
-      if (!is_new && tree.box(object.leaves[part]).holds(box)) continue;
-      const Vec3 slack = Vec3::Constant(kSlack * object.shape.radius), way = kStepsAhead * dt * object.state.velocity;
-      box = {box.low - slack + way.cwiseMin(0), box.high + slack + way.cwiseMax(0)};
-      const BoxTree::Item item{static_cast<int>(i), static_cast<int>(part)};
-      if (!is_new) tree.remove(object.leaves[part]);
-      object.leaves[part] = tree.insert(box, item);
-      moved.push_back(item);
+      const Box box = box_of(object, static_cast<int>(part), dt);
+      if (is_new || !tree.box(object.leaves[part]).holds(box)) {
+        const Vec3 slack = Vec3::Constant(kSlack * object.shape.radius), way = kStepsAhead * dt * object.state.velocity;
+        const BoxTree::Item item{static_cast<int>(i), static_cast<int>(part)};
+        if (!is_new) tree.remove(object.leaves[part]);
+        object.leaves[part] =
+            tree.insert({box.low - slack + way.cwiseMin(0), box.high + slack + way.cwiseMax(0)}, item);
+        moved.push_back(item);
+      }
+      scratch.keep_box(object.leaves[part], box);
     }
   }
   return moved;
@@ -226,10 +229,25 @@ bool ContactWorld::Impl::may_meet(const Object& a, const Object& b) const {
 void ContactWorld::Impl::erase_pairs(const std::function<bool(const Pair&)>& gone) {
   std::erase_if(pairs, [&](const Pair& pair) {
     if (!gone(pair)) return false;
-    manifolds[pair.manifold] = {};
-    free_manifolds.push_back(pair.manifold);
+    give_back_manifold(pair.manifold);
     return true;
   });
+}
+
+int ContactWorld::Impl::take_manifold() {
+  if (free_manifolds.empty()) {
+    manifolds.emplace_back();
+    return static_cast<int>(manifolds.size()) - 1;
+  }
+  const int taken = free_manifolds.back();
+  free_manifolds.pop_back();
+  return taken;
+}
+
+void ContactWorld::Impl::give_back_manifold(int manifold) {
+  if (manifold < 0) return;
+  manifolds[manifold] = {};
+  free_manifolds.push_back(manifold);
 }
 
 /// Drops pairs whose boxes have parted, of what has a new one.
@@ -244,6 +262,13 @@ void ContactWorld::Impl::drop_parted_pairs(const std::vector<bool>& moved) {
   });
 }
 
+/// Finds where the pairs of each object begin of which it is the first.
+void ContactWorld::Impl::find_first_pairs() {
+  scratch.first_pairs.assign(objects.size() + 1, 0);
+  for (const Pair& pair : pairs) ++scratch.first_pairs[pair.a + 1];
+  std::partial_sum(scratch.first_pairs.begin(), scratch.first_pairs.end(), scratch.first_pairs.begin());
+}
+
 void ContactWorld::Impl::add_pairs_of(const BoxTree::Item& item, std::vector<Pair>& found) const {
   const Object& object = objects[item.object];
   const auto add = [&](const BoxTree::Item& other) {
@@ -251,8 +276,9 @@ void ContactWorld::Impl::add_pairs_of(const BoxTree::Item& item, std::vector<Pai
     const bool first = item.object < other.object;
     const BoxTree::Item &a = first ? item : other, &b = first ? other : item;
     const Pair pair{a.object, b.object, a.part, b.part, -1, 0};
-    const auto known = std::ranges::lower_bound(pairs, pair.key(), std::ranges::less(), &Pair::key);
-    if (known == pairs.end() || known->key() != pair.key()) found.push_back(pair);
+    const auto of_a = std::span(pairs).subspan(scratch.first_pairs[a.object],
+                                               scratch.first_pairs[a.object + 1] - scratch.first_pairs[a.object]);
+    if (!std::ranges::binary_search(of_a, pair.key(), std::ranges::less(), &Pair::key)) found.push_back(pair);
   };
   const Box& box = tree.box(object.leaves[item.part]);
   tree.for_each(box, add);
@@ -264,43 +290,63 @@ void ContactWorld::Impl::update_pairs(std::span<const BoxTree::Item> moved) {
   std::vector<bool> has_moved(objects.size(), false);
   for (const BoxTree::Item& item : moved) has_moved[item.object] = true;
   drop_parted_pairs(has_moved);
-  std::vector<Pair> found;
+  find_first_pairs();
+  std::vector<Pair>& found = scratch.found;
+  found.clear();
   for (const BoxTree::Item& item : moved) add_pairs_of(item, found);
   if (found.empty()) return;
   std::ranges::sort(found, std::ranges::less(), &Pair::key);
   const auto same = [](const Pair& left, const Pair& right) { return left.key() == right.key(); };
   found.erase(std::unique(found.begin(), found.end(), same), found.end());
-  for (Pair& pair : found) {
-    if (free_manifolds.empty()) {
-      free_manifolds.push_back(static_cast<int>(manifolds.size()));
-      manifolds.emplace_back();
-    }
-    pair.manifold = free_manifolds.back();
-    free_manifolds.pop_back();
-  }
   const auto middle = static_cast<std::ptrdiff_t>(pairs.size());
   pairs.insert(pairs.end(), found.begin(), found.end());
   std::inplace_merge(pairs.begin(), pairs.begin() + middle, pairs.end(),
                      [](const Pair& left, const Pair& right) { return left.key() < right.key(); });
 }
 
-/// Where the parts of each pair meet, of which one side may have moved.
-void ContactWorld::Impl::find_points(double dt) {
-  constexpr int kPairsAtOnce = 64;
-  parallel_for(static_cast<int>(pairs.size()), kPairsAtOnce, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      Pair& pair = pairs[i];
-      const Object &a = objects[pair.a], &b = objects[pair.b];
-      if (!a.active && !b.active && !a.fresh && !b.fresh) continue;
-      const double gap = reach(a, b, dt);
-      if (pair.count > 0 || spheres_meet(a, b, gap)) pair.count = find_points(pair, gap);
-    }
-  });
+/// Returns the box that a part does not leave in this step, with room in it if it stays where it is.
+const Box& ContactWorld::Impl::present_box(const Object& object, int part) const {
+  const int leaf = object.leaves[part];
+  return object.active || object.fresh ? scratch.boxes[leaf] : tree.box(leaf);
 }
 
-int ContactWorld::Impl::find_points(const Pair& pair, double gap) {
-  find_points(pair, manifolds[pair.manifold], gap);
-  return manifolds[pair.manifold].count;
+/// True if two parts may touch whose objects are nearer than `gap` [m] then.
+bool ContactWorld::Impl::parts_may_touch(const Pair& pair, double gap) const {
+  const Object &a = objects[pair.a], &b = objects[pair.b];
+  if (a.kind == Kind::ground) return present_box(b, pair.part_b).low.y() <= ground_height;
+  if (b.kind == Kind::ground) return present_box(a, pair.part_a).low.y() <= ground_height;
+  return spheres_meet(a, b, gap) && present_box(a, pair.part_a).meets(present_box(b, pair.part_b));
+}
+
+/// Lists the pairs that may touch, of which one side may have moved. Only these need a manifold, besides those that lie
+/// still: most boxes that meet hold things that do not come near each other.
+void ContactWorld::Impl::list_close_pairs(double dt) {
+  scratch.close_pairs.clear();
+  for (int i = 0; i < static_cast<int>(pairs.size()); ++i) {
+    Pair& pair = pairs[i];
+    const Object &a = objects[pair.a], &b = objects[pair.b];
+    if (!a.active && !b.active && !a.fresh && !b.fresh) continue;
+    const double gap = reach(a, b, dt);
+    if (pair.count > 0 || parts_may_touch(pair, gap)) {
+      if (pair.manifold < 0) pair.manifold = take_manifold();
+      scratch.close_pairs.push_back({i, gap});
+    } else {
+      give_back_manifold(std::exchange(pair.manifold, -1));
+    }
+  }
+}
+
+/// Where the parts of each close pair meet.
+void ContactWorld::Impl::find_points(double dt) {
+  constexpr int kPairsAtOnce = 32;
+  list_close_pairs(dt);
+  parallel_for(static_cast<int>(scratch.close_pairs.size()), kPairsAtOnce, [&](int begin, int end) {
+    for (const auto& [index, gap] : std::span(scratch.close_pairs).subspan(begin, end - begin)) {
+      Pair& pair = pairs[index];
+      find_points(pair, manifolds[pair.manifold], gap);
+      pair.count = manifolds[pair.manifold].count;
+    }
+  });
 }
 
 void ContactWorld::Impl::find_points(const Pair& pair, Manifold& manifold, double gap) const {

@@ -91,7 +91,7 @@ const Vec3& ContactWorld::Impl::center(const Object& object) const {
 RigidContact ContactWorld::Impl::rigid_contact(std::size_t index, double dt) const {
   const Contact& contact = contacts[index];
   const Object &a = objects[contact.a], &b = objects[contact.b];
-  const RigidBody &body_a = rigid_bodies[contact.a], &body_b = rigid_bodies[contact.b];
+  const RigidBody &body_a = scratch.rigid_bodies[contact.a], &body_b = scratch.rigid_bodies[contact.b];
   RigidContact row;
   row.a = static_cast<int>(contact.a.index());
   row.b = static_cast<int>(contact.b.index());
@@ -116,18 +116,20 @@ RigidContact ContactWorld::Impl::rigid_contact(std::size_t index, double dt) con
 }
 
 int ContactWorld::Impl::solve_rigid_groups(double dt) {
-  rigid_bodies.resize(objects.size());
-  std::vector<RigidContact> rows;
-  std::vector<int> contact_of;
+  scratch.rigid_bodies.resize(objects.size());
+  std::vector<RigidContact>& rows = scratch.rigid_contacts;
+  std::vector<int>& contact_of = scratch.contact_of_row;
+  rows.clear();
+  contact_of.clear();
   for (const int i : std::views::iota(0, static_cast<int>(objects.size())))
-    rigid_bodies[i] = rigid_body(objects[i], dt);
+    scratch.rigid_bodies[i] = rigid_body(objects[i], dt);
   for (RigidGroup& group : rigid_groups)
     for (int& index : group.contacts) {
       contact_of.push_back(index);
       rows.push_back(rigid_contact(index, dt));
       index = static_cast<int>(rows.size()) - 1;
     }
-  const int work = solve_rigid(rigid_bodies, rows, rigid_groups, dt);
+  const int work = solve_rigid(scratch.rigid_bodies, rows, rigid_groups, dt);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     Contact& contact = contacts[contact_of[i]];
     contact.approach = rows[i].approach;
@@ -146,15 +148,15 @@ void ContactWorld::Impl::move_rigid_groups(double dt) {
       const Object& object = objects[i];
       if (!object.moves()) continue;
       ++count;
-      lift -= gravity.dot(rigid_bodies[i].push) / object.inverse_mass;
+      lift -= gravity.dot(scratch.rigid_bodies[i].push) / object.inverse_mass;
       dissipated += object.dissipated + kinetic_energy(object, object.first_velocity, object.first_spin) -
                     kinetic_energy(object, object.state.velocity, object.state.angular_velocity) +
-                    gravity.dot(rigid_bodies[i].displacement) / object.inverse_mass;
+                    gravity.dot(scratch.rigid_bodies[i].displacement) / object.inverse_mass;
     }
     const double fraction = lift > 0 ? std::clamp(dissipated / lift, 0.0, 1.0) : 1;
     const double left = (dissipated - fraction * lift) / count;
     for (const int i : group.bodies) {
-      const RigidBody& body = rigid_bodies[i];
+      const RigidBody& body = scratch.rigid_bodies[i];
       Object& object = objects[i];
       if (!object.moves()) continue;
       object.dissipated = std::max(0.0, left);

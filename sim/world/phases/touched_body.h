@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/contact/contact_world.h"
+#include "sim/core/weighted_rows.h"
 #include "sim/world/bodies/surface_point.h"
 
 namespace griffith {
