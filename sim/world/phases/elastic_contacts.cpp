@@ -56,8 +56,7 @@ class GroupBuilder {
       const ElasticObject& object = touched.objects[i];
       grow(object.object);
       touched_of(object.object) = static_cast<int>(i);
-      const Body& body = world.bodies[touched.bodies[i].body];
-      soft_[i] = sags_visibly(world, body) || is_visibly_strained(world, body);
+      soft_[i] = sags_visibly(world, world.bodies[touched.bodies[i].body]);
       for (std::size_t k = 0; k < object.contacts.size(); ++k)
         points_.push_back({object.contacts[k], static_cast<int>(i), static_cast<int>(k)});
     }
@@ -155,7 +154,7 @@ class GroupBuilder {
   double dt_;
   std::vector<int> body_of_object_;     // index in its group, -1 before
   std::vector<int> touched_of_object_;  // index into the touched bodies, -1 for what is not elastic
-  std::vector<bool> soft_;              // per touched body: visibly strained, or by its own weight
+  std::vector<bool> soft_;              // per touched body: visibly strained by its own weight
   std::vector<Point> points_;
 };
 
