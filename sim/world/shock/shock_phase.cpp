@@ -74,7 +74,7 @@ void enter_driven_bodies(WorldState& world, double duration) {
 /// vibrates in it is damped at once.
 void make_rigid_if_unharmed(WorldState& world, Body& body) {
   constexpr double kUnharmed = 0.25;  // of the resistance: what contacts must exceed to make it elastic again
-  if (is_visibly_strained(world, body)) return;
+  if (sags_visibly(world, body)) return;
   evaluate_separation(world, body);
   const auto is_unharmed = [&](NodeId node) { return world.nodes.separations[node].utilization < kUnharmed; };
   if (std::ranges::all_of(body.nodes, is_unharmed)) stop_vibration(world, body);
