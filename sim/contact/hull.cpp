@@ -42,7 +42,8 @@ std::vector<Hull::Edge> edges_of(const std::vector<Loop>& loops) {
   return edges;
 }
 
-/// Joins faces that lie in nearly one plane, as rounding or a slight deformation leaves them of a flat side.
+/// Joins faces that lie in nearly one plane, as rounding or a slight deformation leaves them of a flat side, with the
+/// narrow ones at its rim.
 class FlatSides {
  public:
   FlatSides(const std::vector<Vec3>& corners, const std::vector<Loop>& loops, double size)
@@ -86,11 +87,20 @@ class FlatSides {
   }
 
   bool lies_in(int face, const Vec3& normal, int origin) const {
-    constexpr double kAlike = 1 - 1e-4, kFlat = 1e-3;  // cosine; share of the size
-    return normal.dot(doubled_area(corners_, loops_[face]).normalized()) > kAlike &&
+    constexpr double kAlike = 1 - 1e-4;  // the cosine
+    const Vec3 area = doubled_area(corners_, loops_[face]);
+    return (normal.dot(area.normalized()) > kAlike || is_narrow(face, area.norm())) &&
            std::ranges::all_of(loops_[face], [&](int corner) {
              return std::abs(normal.dot(corners_[corner] - corners_[origin])) < kFlat * size_;
            });
+  }
+
+  /// True for a face as narrow as a side may be uneven, between corners nearly in a line: its normal says nothing.
+  bool is_narrow(int face, double doubled_area) const {
+    double longest = 0;
+    for (const int from : loops_[face])
+      for (const int to : loops_[face]) longest = std::max(longest, (corners_[to] - corners_[from]).norm());
+    return doubled_area < kFlat * size_ * longest;
   }
 
   /// Once round some faces, if they have one outline.
@@ -114,6 +124,7 @@ class FlatSides {
     return outline.size() == count ? std::optional(outline) : std::nullopt;
   }
 
+  static constexpr double kFlat = 1e-3;  // share of the size
   const std::vector<Vec3>& corners_;
   const std::vector<Loop>& loops_;
   FaceAt face_at_;
@@ -126,10 +137,11 @@ bool has_normal(const std::vector<Vec3>& corners, const Loop& loop, double size)
   return doubled_area(corners, loop).norm() > 1e-9 * size * size;
 }
 
+/// No corner is above it, however its normal is rounded.
 Hull::Face face_of(const std::vector<Vec3>& corners, const Loop& loop, int first) {
   const Vec3 normal = doubled_area(corners, loop).normalized();
   double offset = normal.dot(corners[loop[0]]);
-  for (const int corner : loop) offset = std::max(offset, normal.dot(corners[corner]));
+  for (const Vec3& corner : corners) offset = std::max(offset, normal.dot(corner));
   return {normal, offset, first, static_cast<int>(loop.size())};
 }
 
@@ -154,8 +166,8 @@ Hull::Hull(const ConvexHull& hull) : corners(hull.corners) {
   box_half = 0.5 * box.sizes();
   const double size = box.diagonal().norm();
   if (!(hull.volume > 1e-9 * size * size * size)) return;
-  if (!std::ranges::all_of(hull.faces, [&](const Loop& loop) { return has_normal(corners, loop, size); })) return;
   const std::vector<Loop> sides = FlatSides(corners, hull.faces, size).joined();
+  if (!std::ranges::all_of(sides, [&](const Loop& loop) { return has_normal(corners, loop, size); })) return;
   edges = edges_of(sides);
   if (edges.empty()) return;
   for (const Loop& loop : sides) {

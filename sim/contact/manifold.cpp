@@ -200,9 +200,10 @@ class HullPair {
       found.add(on_b ? FoundPoint{point, beneath, distance} : FoundPoint{beneath, point, distance});
     };
     for (int i = 0; i < shared.count; ++i) add(shared.corners[i]);
-    found.beside = found.count == 0;
     const Vec3 deepest = on_b ? corner_of_a(lowest) : b_.corners[lowest];
-    if (found.beside && outward.dot(deepest) < offset) add(deepest);
+    const double depth = offset - outward.dot(deepest);
+    found.beside = found.count == 0;
+    if (found.beside && depth > 0) add(deepest);
     return found;
   }
 
@@ -269,20 +270,18 @@ class HullPair {
     return false;
   }
 
-  /// Of the faces at a corner the one that looks most against a direction.
+  /// Of the faces at a corner the one that looks most against a direction; of all where it lies within a flat side.
   static int facing_face(const Hull& hull, int corner, const Vec3& direction) {
-    int best = 0;
-    double least = kInfinity;
+    const auto is_at_corner = [&](const Hull::Face& face) {
+      return std::ranges::count(std::span(hull.loops).subspan(face.first, face.count), corner) > 0;
+    };
+    int best = -1, of_all = 0;
     for (int i = 0; i < static_cast<int>(hull.faces.size()); ++i) {
-      const Hull::Face& face = hull.faces[i];
-      const double along = direction.dot(face.normal);
-      if (along >= least) continue;
-      const std::span<const int> loop = std::span(hull.loops).subspan(face.first, face.count);
-      if (std::ranges::find(loop, corner) == loop.end()) continue;
-      least = along;
-      best = i;
+      const double along = direction.dot(hull.faces[i].normal);
+      if (along < direction.dot(hull.faces[of_all].normal)) of_all = i;
+      if ((best < 0 || along < direction.dot(hull.faces[best].normal)) && is_at_corner(hull.faces[i])) best = i;
     }
-    return best;
+    return best < 0 ? of_all : best;
   }
 
   /// Of a face with very many corners, some.
