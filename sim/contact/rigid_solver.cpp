@@ -55,15 +55,15 @@ class GroupStep {
       for (const int i : group_.bodies) move(i);
     }
     sweeps += rebound();
-    push_apart();
+    push_apart(kPushedOut);
     finish();
     return static_cast<int>(rows_.points.size()) * sweeps;
   }
 
   /// Leads out of overlaps at the start.
-  void only_push() {
+  void only_push(double whole_share) {
     for (Point& point : rows_.points) point.gap = point.distance;
-    push_apart();
+    push_apart(whole_share);
     for (const Block& block : rows_.blocks)
       for (const int side : {block.a, block.b}) {
         if (!motions_[side].moves) continue;
@@ -196,13 +196,13 @@ class GroupStep {
   }
 
   /// Takes out a share of the overlaps by displacements that let nothing else overlap, beside the true velocities.
-  void push_apart() {
+  void push_apart(double whole_share) {
     bool any = false;
     for (Block& block : rows_.blocks) {
       for (int i = block.begin; i < block.end; ++i) {
         Point& point = rows_.points[i];
         const double overlap = -point.resting - point.gap;
-        const double share = kPushedOut * std::min(1.0, overlap / (kFullyPushed * point.resting));
+        const double share = whole_share * std::min(1.0, overlap / (kFullyPushed * point.resting));
         point.target = overlap > 0 ? share * overlap : overlap;
         block.overlaps |= overlap > 0;
       }
@@ -344,10 +344,11 @@ int solve_rigid(std::span<RigidBody> bodies, std::span<RigidContact> contacts, s
   return std::accumulate(work.begin(), work.end(), 0);
 }
 
-void push_apart(std::span<RigidBody> bodies, std::span<RigidContact> contacts, std::span<const RigidGroup> groups) {
+void push_apart(std::span<RigidBody> bodies, std::span<RigidContact> contacts, std::span<const RigidGroup> groups,
+                double share) {
   std::vector<Motion> motions = motions_of(bodies);
   parallel_for(static_cast<int>(groups.size()), 1, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) GroupStep(bodies, motions, {}, contacts, groups[i], 1).only_push();
+    for (int i = begin; i < end; ++i) GroupStep(bodies, motions, {}, contacts, groups[i], 1).only_push(share);
   });
 }
 

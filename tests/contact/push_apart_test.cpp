@@ -56,7 +56,7 @@ TEST(PushApart, AFifthOfADeepOverlapGoesAndMomentaBalance) {
   std::vector<RigidBody> bodies = row_of({2, 5});
   std::vector<RigidContact> contacts = contacts_at({-0.01});
   const RigidGroup group = all_of(bodies, contacts);
-  push_apart(bodies, contacts, {{group}});
+  push_apart(bodies, contacts, {{group}}, 0.2);
   EXPECT_NEAR(opening(bodies, contacts[0]), 0.2 * (0.01 - kResting), 1e-9);
   EXPECT_LT((2 * bodies[0].push + 5 * bodies[1].push).norm(), 1e-15);
 }
@@ -65,7 +65,7 @@ TEST(PushApart, NothingElseIsMadeToOverlapAndWhatIsHeldStays) {
   std::vector<RigidBody> bodies = row_of({0, 1, 3, 1});
   std::vector<RigidContact> contacts = contacts_at({-kResting, -0.01, 1e-5});
   const RigidGroup group = all_of(bodies, contacts);
-  push_apart(bodies, contacts, {{group}});
+  push_apart(bodies, contacts, {{group}}, 0.2);
   EXPECT_TRUE(bodies[0].push.isZero(0)) << "held";
   const double pushed = opening(bodies, contacts[1]), left = 0.2 * pushed;  // by ten sweeps
   EXPECT_GT(pushed, 0.15 * 0.01);
@@ -77,7 +77,7 @@ TEST(PushApart, WhatMayOverlapStays) {
   std::vector<RigidBody> bodies = row_of({1, 1});
   std::vector<RigidContact> contacts = contacts_at({-0.9 * kResting});
   const RigidGroup group = all_of(bodies, contacts);
-  push_apart(bodies, contacts, {{group}});
+  push_apart(bodies, contacts, {{group}}, 0.2);
   EXPECT_TRUE(bodies[0].push.isZero(0) && bodies[1].push_rotation.isZero(0));
 }
 

@@ -13,8 +13,9 @@ using namespace contact;
 
 namespace {
 
-/// The overlap, as a share of the smaller radius, that stays, so that all contacts of what rests go on touching.
-constexpr double kRestingFraction = 3e-4;
+/// The share of an overlap that goes in a substep, and the overlap, as a share of the smaller radius, that stays, so
+/// that all contacts of what rests go on touching.
+constexpr double kCorrectionFraction = 0.1, kRestingFraction = 3e-4;
 
 Mat3 contact_axes(const Vec3& normal) {
   Mat3 axes;
@@ -235,7 +236,7 @@ void ContactWorld::Impl::push_elastic_groups_apart(double dt) {
       rows.push_back(overlap_contact(contacts[i]));
     }
   }
-  push_apart(bodies, rows, groups);
+  push_apart(bodies, rows, groups, kCorrectionFraction);
   for (std::size_t i = 0; i < objects.size(); ++i) objects[i].correction = {bodies[i].push, bodies[i].push_rotation};
   limit_lift(dt);
 }
