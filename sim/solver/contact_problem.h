@@ -17,7 +17,7 @@ struct ContactSolveReport {
 struct ContactTolerance {
   double relative = 1e-4;          ///< of the largest change of velocity that contacts have to make
   double negligible_speed = 1e-9;  ///< [m/s]
-  int max_rounds = 20, max_newton_steps = 60, max_iterations = 400;
+  int max_rounds = 30, max_newton_steps = 60, max_iterations = 400;
 };
 
 /// Impulses and velocities of bodies in frictional contact (Signorini and Coulomb) at the end of an implicit step.

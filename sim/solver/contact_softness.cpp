@@ -40,7 +40,7 @@ double whole_compliance(const WholeMotion& whole, const WeightedRows& point) {
 
 ContactSoftness softness_of(std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid,
                             const FrictionContact& contact) {
-  constexpr double kOfElements = 0.3, kOfMasses = 1e-2, kFirstOfWhole = 1e-4, kLastOfWhole = 1e-9;
+  constexpr double kOfElements = 0.3, kOfMasses = 1e-2, kFirstOfWhole = 1e-3, kLastOfWhole = 1e-9;
   constexpr double kStiffest = 1e-3;  // of what contacts begin with that converge quickly
   double of_elements = 0, of_masses = 0, of_whole = 0;
   for (const ContactSide* side : {&contact.a, &contact.b}) {
@@ -55,7 +55,8 @@ ContactSoftness softness_of(std::span<const DeformableInertia> deformable, std::
   }
   const double local = kOfElements * of_elements + kOfMasses * of_masses;
   if (local + of_whole <= 0) return {};  // nothing could move
-  return {local + kFirstOfWhole * of_whole, kStiffest * (local + kLastOfWhole * of_whole)};
+  const double settled = local + kLastOfWhole * of_whole;
+  return {local + kFirstOfWhole * of_whole, settled, kStiffest * settled};
 }
 
 }  // namespace griffith

@@ -6,10 +6,12 @@
 
 namespace griffith {
 
-/// Softness r of a contact [1/kg] in the rounds of a solve: that of the first, and the least that later ones may take.
-/// With more, rounds converge slowly; with less, Newton's method does where contacts go from sticking to sliding.
+/// Softness r of a contact [1/kg] in the rounds of a solve. With more, rounds converge slowly; with less, Newton's method
+/// does where contacts go from sticking to sliding.
 struct ContactSoftness {
-  double first = 1, least = 1;
+  double first = 1;    ///< of the first round
+  double settled = 1;  ///< most with which impulses are accepted: more leaves those between stiff bodies inexact
+  double least = 1;    ///< of contacts that converge slowly
 };
 
 /// Softness of the elements that touch, or a small share of what masses alone have. Elements of a stiff chip resist a
