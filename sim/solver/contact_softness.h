@@ -6,8 +6,8 @@
 
 namespace griffith {
 
-/// Softness r of a contact [1/kg] in the rounds of a solve. With more, rounds converge slowly; with less, Newton's method
-/// does where contacts go from sticking to sliding.
+/// Softness r of a contact [1/kg] in the rounds of a solve. With more, rounds converge slowly; with less, Newton's
+/// method does where contacts go from sticking to sliding.
 struct ContactSoftness {
   double first = 1;    ///< of the first round
   double settled = 1;  ///< most with which impulses are accepted: more leaves those between stiff bodies inexact
