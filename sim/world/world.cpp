@@ -151,7 +151,7 @@ void World::set_material(int scene_body, const Material& material) {
   WorldState& world = impl_->state;
   if (scene_body < 0 || scene_body >= static_cast<int>(world.materials.size()))
     throw InputError("material", "is of body " + std::to_string(scene_body) + ", which is none of the scene",
-                     "take an index of Scene::bodies");
+                     "use an index of Scene::bodies");
   check_substep_count(world, scene_body, material);
   check_elements(world.model->scene, scene_body, world.model->element_choices[scene_body].order, material);
   const EnergyNow before = energy_now(world);

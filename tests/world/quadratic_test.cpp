@@ -358,7 +358,7 @@ TEST(AutomaticElements, AreQuadraticWhereFewLieAcross) {
   const ElementChoice remeshed =
       choice_of(Vec3(1, 1, 0.02), Vec3(0.1, 0.1, 0.02), [](BodyDescription& body) { body.remeshing = true; });
   EXPECT_EQ(text_of(remeshed),
-            "linear, since 1 lies across its thinnest part, but quadratic ones do not go with remeshing");
+            "linear, since 1 lies across its thinnest part, but quadratic ones cannot be combined with remeshing");
   const ElementChoice steel = choice_of(Vec3(1, 1, 0.02), Vec3(0.1, 0.1, 0.02),
                                         [](BodyDescription& body) { body.material.yield_strength = 1e8; });
   EXPECT_EQ(steel.order, ElementOrder::linear);

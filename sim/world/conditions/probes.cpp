@@ -209,7 +209,7 @@ void place_probes(WorldState& world, int scene_body, const RestBody& body, std::
     std::vector<ProbedNode> nodes = std::visit([&](const auto& place) { return nodes_at(body, place); }, probes[i].at);
     if (nodes.empty() && std::holds_alternative<ProbeNode>(probes[i].at)) {
       throw InputError(place_of(i, "at/node"), "is no node of the mesh",
-                       "take one below " + std::to_string(1 + std::ranges::max(body.point_of_node)));
+                       "use one below " + std::to_string(1 + std::ranges::max(body.point_of_node)));
     }
     if (nodes.empty()) {
       findings.emplace_back(place_of(i, "at/region"), "holds no node",

@@ -81,7 +81,7 @@ void require_no_crowd(const std::vector<PendingShot>& shots, const Vec3& gravity
     }
     if (inside > kMaxInside)
       throw InputError(where, "start inside more than 32 others of them",
-                       "take a longer interval, a higher speed or different positions");
+                       "use a longer interval, a higher speed or different positions");
   }
 }
 
@@ -112,7 +112,7 @@ ProjectileBurst fire_burst(WorldState& world, const ProjectileBurst& burst) {
   if (burst.count < 1) throw InputError("shot", "has no projectile", "give it a count of at least 1");
   const double numbers = burst.speed + burst.start + burst.interval + burst.position.sum();
   if (!std::isfinite(numbers) || !(burst.direction.norm() > 0) || !std::isfinite(burst.direction.sum()))
-    throw InputError("shot", "has a place, direction or speed that is none", "give finite numbers and a direction");
+    throw InputError("shot", "has a value that is not finite, or no direction", "give finite numbers and a direction");
   const std::int64_t before = std::ssize(world.projectiles) + std::ssize(world.pending_shots);
   if (before + burst.count > kMaxProjectiles)
     throw InputError("shot", "brings the scene to more than 10,000 projectiles", "start it again, or fire fewer");

@@ -191,7 +191,7 @@ void make_meshes(const Scene& scene, ShapeMeshes& shapes, const Monitor& monitor
     if (tets > kMaxTets)
       throw InputError("#/bodies/" + std::to_string(i) + "/shape",
                        std::string("brings the scene to more than ") + kMaxTetsText,
-                       "take coarser meshes or fewer bodies");
+                       "use coarser meshes or fewer bodies");
   }
 }
 

@@ -16,8 +16,8 @@ struct Obstacle {
 };
 
 std::optional<Obstacle> obstacle_to_quadratic(const BodyDescription& body, const Material& material) {
-  if (body.remeshing) return Obstacle{"remeshing", "take \"linear\", or turn remeshing off"};
-  if (material.yield_strength) return Obstacle{"a yield strength", "take \"linear\", or a brittle material"};
+  if (body.remeshing) return Obstacle{"remeshing", "use \"linear\", or turn remeshing off"};
+  if (material.yield_strength) return Obstacle{"a yield strength", "use \"linear\", or a brittle material"};
   return std::nullopt;
 }
 
@@ -32,7 +32,7 @@ void check_elements(const Scene& scene, int scene_body, ElementOrder order, cons
   if (order != ElementOrder::quadratic) return;
   if (const auto obstacle = obstacle_to_quadratic(scene.bodies[scene_body], material))
     throw InputError("#/bodies/" + std::to_string(scene_body) + "/elements",
-                     std::string("are quadratic, which does not go with ") + obstacle->name, obstacle->remedy);
+                     std::string("are quadratic, which cannot be combined with ") + obstacle->name, obstacle->remedy);
 }
 
 ElementChoice choose_elements(const Scene& scene, int scene_body, const TetMesh& mesh) {
@@ -44,7 +44,8 @@ ElementChoice choose_elements(const Scene& scene, int scene_body, const TetMesh&
   const bool is_thin = choice.layers < kEnough;
   choice.order = is_thin && !obstacle ? ElementOrder::quadratic : ElementOrder::linear;
   choice.reason = std::to_string(choice.layers) + (choice.layers == 1 ? " lies" : " lie") + " across its thinnest part";
-  if (is_thin && obstacle) choice.reason += std::string(", but quadratic ones do not go with ") + obstacle->name;
+  if (is_thin && obstacle)
+    choice.reason += std::string(", but quadratic ones cannot be combined with ") + obstacle->name;
   return choice;
 }
 
