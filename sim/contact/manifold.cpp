@@ -6,8 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "sim/contact/triple.h"
-#include "sim/core/lanes.h"
+#include "sim/contact/edge_lanes.h"
 
 namespace griffith::contact {
 namespace {
@@ -18,16 +17,6 @@ using Feature = Manifold::Feature;
 /// a face does; by so much another feature may be better before it is found.
 constexpr double kHardlyMoved = 4e-4, kForFaces = 2e-3, kLargestMargin = 1e-1;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// Corners of a polygon and their number.
-struct Polygon {
-  static constexpr int kMaxCorners = kMostFound;
-  std::array<Vec3, kMaxCorners> corners;
-  int count = 0;
-  void add(const Vec3& corner) {
-    if (count < kMaxCorners) corners[count++] = corner;
-  }
-};
 
 struct FoundPoints {
   std::array<FoundPoint, kMostFound> points;
@@ -44,47 +33,6 @@ int lowest_corner(const Hull& hull, const Vec3& direction) {
       std::ranges::min_element(hull.corners, {}, [&](const Vec3& corner) { return direction.dot(corner); });
   return static_cast<int>(lowest - hull.corners.begin());
 }
-
-/// Three coordinates of four items.
-struct Triples {
-  simd::DoubleLanes x, y, z;
-  void set(int lane, const Vec3& v) { x[lane] = v.x(), y[lane] = v.y(), z[lane] = v.z(); }
-};
-simd::DoubleLanes dot(const Triple& a, const Triples& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-/// Some edges of a hull, four side by side. What is left of the last four repeats its first.
-class EdgeLanes {
- public:
-  static constexpr int kMost = 128;
-  struct Four {
-    Triples left, right, along;  ///< normals of the faces on both sides, from end to end
-    std::array<int, simd::kDoubleLanes> edges;
-  };
-
-  explicit EdgeLanes(const Hull& hull) : hull_(hull) {}
-  bool is_full() const { return count_ == kMost; }
-  void clear() { count_ = 0; }
-  void add(int index) {
-    const int first = count_ % simd::kDoubleLanes;
-    Four& four = fours_[count_++ / simd::kDoubleLanes];
-    const Hull::Edge& edge = hull_.edges[index];
-    for (int lane = first; lane < (first == 0 ? simd::kDoubleLanes : first + 1); ++lane) {
-      four.left.set(lane, hull_.faces[edge.left].normal);
-      four.right.set(lane, hull_.faces[edge.right].normal);
-      four.along.set(lane, hull_.corners[edge.to] - hull_.corners[edge.from]);
-      four.edges[lane] = index;
-    }
-  }
-  std::span<const Four> fours() const {
-    return {fours_.data(), static_cast<std::size_t>((count_ + simd::kDoubleLanes - 1) / simd::kDoubleLanes)};
-  }
-  int count() const { return count_; }
-
- private:
-  const Hull& hull_;
-  std::array<Four, kMost / simd::kDoubleLanes> fours_;
-  int count_ = 0;
-};
 
 /// Two hulls, a lying at `place` in the frame of b, in which all directions are.
 class HullPair {
@@ -297,28 +245,6 @@ class HullPair {
   }
   Polygon polygon_of_b(int face) const {
     return polygon(b_, face, [&](int corner) { return b_.corners[corner]; });
-  }
-
-  /// Leaves of a polygon what lies over a face.
-  static void clip(Polygon& polygon, const Polygon& face, const Vec3& outward) {
-    Polygon other;
-    Polygon *from = &polygon, *to = &other;
-    for (int side = 0; side < face.count && from->count > 0; ++side) {
-      const Vec3& start = face.corners[side];
-      const Vec3 across = (face.corners[(side + 1) % face.count] - start).cross(outward);
-      to->count = 0;
-      double here_side = across.dot(from->corners[0] - start);
-      for (int i = 0; i < from->count; ++i) {
-        const Vec3 &here = from->corners[i], &next = from->corners[i + 1 < from->count ? i + 1 : 0];
-        const double next_side = across.dot(next - start);
-        if (here_side <= 0) to->add(here);
-        if ((here_side < 0 && next_side > 0) || (here_side > 0 && next_side < 0))
-          to->add(here + here_side / (here_side - next_side) * (next - here));
-        here_side = next_side;
-      }
-      std::swap(from, to);
-    }
-    if (from != &polygon) polygon = *from;
   }
 
   /// Where two edges are nearest.

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "sim/contact/hull.h"
+#include "sim/contact/polygon.h"
 
 namespace griffith::contact {
 
@@ -47,7 +48,7 @@ struct Manifold {
 };
 
 /// More are never found at two parts: of a face with very many corners some are looked at.
-inline constexpr int kMostFound = 64;
+inline constexpr int kMostFound = Polygon::kMaxCorners;
 
 /// A point found: on both surfaces, in b's frame.
 struct FoundPoint {

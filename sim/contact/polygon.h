@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+
+#include "sim/core/linear_algebra.h"
+
+namespace griffith::contact {
+
+/// Corners of a convex polygon, in order; more than kMaxCorners are left out.
+struct Polygon {
+  static constexpr int kMaxCorners = 64;
+  std::array<Vec3, kMaxCorners> corners;
+  int count = 0;
+  void add(const Vec3& corner) {
+    if (count < kMaxCorners) corners[count++] = corner;
+  }
+};
+
+/// Leaves the part of a polygon that lies over a face with the unit normal `outward` (Sutherland and Hodgman 1974).
+void clip(Polygon& polygon, const Polygon& face, const Vec3& outward);
+
+}  // namespace griffith::contact
