@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "sim/core/sort_unique.h"
@@ -83,6 +84,12 @@ bool condensing_costs_more(const FactorPreconditioner& factors, std::size_t touc
   return unknowns * unknowns * unknowns / 3 > static_cast<double>(factors.plan().operations());
 }
 
+std::vector<int> all_rows(const DeformableInertia& body) {
+  std::vector<int> rows(body.rows());
+  std::iota(rows.begin(), rows.end(), 0);
+  return rows;
+}
+
 int aggregate_count(const DeformableInertia& body) {
   return body.matrix && body.preconditioner->has_coarse_space() ? body.preconditioner->aggregate_count() : 0;
 }
@@ -90,7 +97,6 @@ int aggregate_count(const DeformableInertia& body) {
 }  // namespace
 
 int ContactPreconditioner::BodyUnknowns::row_unknown(int row) const {
-  if (has_all_rows) return first_touched + 3 * row;
   return first_touched + 3 * static_cast<int>(std::ranges::lower_bound(touched, row) - touched.begin());
 }
 
@@ -113,7 +119,10 @@ void ContactPreconditioner::reduce_coarse_spaces() {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (const FactorPreconditioner* factors = deformable_[i].factors; factors && factors->exists()) {
       bodies_[i].has_all_rows = condensing_costs_more(*factors, bodies_[i].touched.size());
-      if (!bodies_[i].has_all_rows) bodies_[i].inverse.emplace(deformable_[i], bodies_[i].touched);
+      if (bodies_[i].has_all_rows)
+        bodies_[i].touched = all_rows(deformable_[i]);
+      else
+        bodies_[i].inverse.emplace(deformable_[i], bodies_[i].touched);
       continue;
     }
     if (aggregate_count(deformable_[i]) == 0) continue;
@@ -131,8 +140,7 @@ void ContactPreconditioner::number_unknowns() {
     BodyUnknowns& body = bodies_[i];
     body.offset = rigid_offset_;
     body.first_touched = unknowns_;
-    body.first_aggregate =
-        unknowns_ + 3 * (body.has_all_rows ? deformable_[i].rows() : static_cast<int>(body.touched.size()));
+    body.first_aggregate = unknowns_ + 3 * static_cast<int>(body.touched.size());
     unknowns_ = body.first_aggregate + (body.reduction ? 6 * body.reduction->kept() : 0);
     if (body.inverse) unknowns_ = body.first_touched + body.inverse->size();
     rigid_offset_ += 3 * deformable_[i].rows();
@@ -173,7 +181,6 @@ void ContactPreconditioner::build_jacobian(std::span<const FrictionContact> cont
 
 void ContactPreconditioner::build_pattern() {
   Pattern pattern(unknowns_ / 3);
-  for (int row = 0; row < unknowns_ / 3; ++row) pattern[row].push_back(row);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const BodyUnknowns& body = bodies_[i];
     const int first = body.first_touched / 3, first_aggregate = body.first_aggregate / 3;
@@ -303,11 +310,6 @@ void ContactPreconditioner::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) 
       reduced.segment(body.first_touched, body.inverse->size()) = body.inverse->restrict(of_body, of_factors[i]);
       continue;
     }
-    if (body.has_all_rows) {
-      const int size = 3 * deformable_[i].rows();
-      reduced.segment(body.first_touched, size) = r.segment(body.offset, size);
-      continue;
-    }
     for (const int row : body.touched) reduced.segment<3>(body.row_unknown(row)) = r.segment<3>(body.offset + 3 * row);
     if (!body.reduction) continue;
     coarse[i] = coarse_residual(*deformable_[i].preconditioner, r.segment(body.offset, 3 * deformable_[i].rows()));
@@ -323,10 +325,6 @@ void ContactPreconditioner::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) 
     if (body.inverse) {
       body.inverse->extend(solved.segment(body.first_touched, body.inverse->size()), std::move(of_factors[i]),
                            Eigen::Map<NodeVectors>(of_body.data(), 3, deformable_[i].rows()));
-      continue;
-    }
-    if (body.has_all_rows) {
-      of_body = solved.segment(body.first_touched, of_body.size());
       continue;
     }
     for (int row = 0; row < deformable_[i].rows(); ++row)

@@ -40,10 +40,10 @@ class ContactPreconditioner {
  private:
   /// Unknowns of a deformable body: touched rows first, then six for each aggregate that is not eliminated.
   struct BodyUnknowns {
-    std::vector<int> touched;                  ///< rows, ascending
+    std::vector<int> touched;                  ///< rows that take part, ascending
     std::optional<CoarseReduction> reduction;  ///< none without a coarse space
     std::optional<TouchedInverse> inverse;     ///< condensed factors of a body that has some
-    bool has_all_rows = false;                 ///< the unknowns are those of the body's matrix
+    bool has_all_rows = false;                 ///< all take part, joined by the body's matrix
     int first_touched = 0, first_aggregate = 0;
     int offset = 0;  ///< in the vector of all velocities
     int row_unknown(int row) const;

@@ -36,10 +36,8 @@ class ContactSolver {
       u_.col(i) = contact.free_velocity;
       impulses_.col(i) = contact.impulse;
       lifts_[i] = contact.friction * contact.free_velocity.tail<2>().norm();
-      const ContactSoftness softness = softness_of(deformable, rigid, contact);
-      softness_.push_back(softness.first);
-      settled_softness_.push_back(softness.settled);
-      least_softness_.push_back(softness.least);
+      course_.push_back(softness_of(deformable, rigid, contact));
+      softness_.push_back(course_[i].first);
       to_change_ = std::max(to_change_, contact.target_velocity - contact.free_velocity[0]);
     }
     violations_.assign(contacts.size(), std::numeric_limits<double>::infinity());
@@ -99,14 +97,14 @@ class ContactSolver {
       const double lifted = impulse.isZero(0) ? 0 : std::abs(lift - lifts_[i]);
       const bool lifts = lifted > negligible_lift(lift);
       outer_change_ = std::max({outer_change_, violation, lifts ? lifted : 0});
-      const bool hardens = softness_[i] > settled_softness_[i];
+      const bool hardens = softness_[i] > course_[i].settled;
       if (violation > negligible_speed() || lifts || (hardens && !impulse.isZero(0))) ++report_.unconverged;
       impulses_.col(i) = impulse;
       lifts_[i] = lift;
       if (hardens)
-        softness_[i] = std::max(kStiffening * softness_[i], settled_softness_[i]);
+        softness_[i] = std::max(kStiffening * softness_[i], course_[i].settled);
       else if (violation > std::max(negligible_speed(), kProgress * violations_[i]))
-        softness_[i] = std::max(kStiffening * softness_[i], least_softness_[i]);
+        softness_[i] = std::max(kStiffening * softness_[i], course_[i].least);
       violations_[i] = violation;
     }
     return report_.unconverged;
@@ -229,12 +227,13 @@ class ContactSolver {
   ContactBodies bodies_;
   ContactMotion motion_;
   ContactPreconditioner preconditioner_;
-  Eigen::VectorXd y_, a_y_;    // changes of velocity and what they take
-  Eigen::Matrix3Xd u_;         // relative velocities at the contacts
-  Eigen::Matrix3Xd impulses_;  // of the round before
-  std::vector<double> lifts_;  // friction times sliding speed of the round before [m/s]
-  std::vector<double> softness_, settled_softness_, least_softness_;  // r [1/kg]
-  std::vector<double> violations_;                                    // of the round before [m/s]
+  Eigen::VectorXd y_, a_y_;              // changes of velocity and what they take
+  Eigen::Matrix3Xd u_;                   // relative velocities at the contacts
+  Eigen::Matrix3Xd impulses_;            // of the round before
+  std::vector<double> lifts_;            // friction times sliding speed of the round before [m/s]
+  std::vector<double> softness_;         // r of this round [1/kg]
+  std::vector<ContactSoftness> course_;  // r over the rounds
+  std::vector<double> violations_;       // of the round before [m/s]
   Eigen::Matrix3Xd impulses_now_;
   std::vector<Mat3> stiffness_;
   double outer_change_ = 0;  // of velocities, by the last round [m/s]

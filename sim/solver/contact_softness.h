@@ -9,9 +9,9 @@ namespace griffith {
 /// Softness r of a contact [1/kg] in the rounds of a solve. With more, rounds converge slowly; with less, Newton's
 /// method does where contacts go from sticking to sliding.
 struct ContactSoftness {
-  double first = 1;    ///< of the first round
-  double settled = 1;  ///< most with which impulses are accepted: more leaves those between stiff bodies inexact
-  double least = 1;    ///< of contacts that converge slowly
+  double first = 1;    ///< softness of the first round
+  double settled = 1;  ///< largest at which impulses are accepted: above it those between stiff bodies are inexact
+  double least = 1;    ///< smallest, for contacts that converge slowly
 };
 
 /// Softness of the elements that touch, or a small share of what masses alone have. Elements of a stiff chip resist a
