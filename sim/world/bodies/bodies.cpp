@@ -129,10 +129,14 @@ bool deforms_visibly(const WorldState& world, const Body& body) {
   return min_breaking_stress(world, body, false) > visible_stress(world, body);
 }
 
+bool is_strained_by(const WorldState& world, const Body& body, double strain) {
+  const double energy_density = 0.5 * world.material_of(body).young_modulus * strain * strain;
+  return std::ranges::any_of(body.tets,
+                             [&](TetId tet) { return world.elements.states[tet].energy_density > energy_density; });
+}
+
 bool is_visibly_strained(const WorldState& world, const Body& body) {
-  const double most = 0.5 * world.material_of(body).young_modulus * kVisibleStrain * kVisibleStrain;
-  return deforms_visibly(world, body) &&
-         std::ranges::any_of(body.tets, [&](TetId tet) { return world.elements.states[tet].energy_density > most; });
+  return deforms_visibly(world, body) && is_strained_by(world, body, kVisibleStrain);
 }
 
 bool sags_visibly(const WorldState& world, const Body& body) {

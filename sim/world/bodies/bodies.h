@@ -53,7 +53,9 @@ double min_breaking_stress(const WorldState& world, const Body& body, bool at_cr
 double visible_stress(const WorldState& world, const Body& body);
 /// True if a body is visibly strained before it breaks.
 bool deforms_visibly(const WorldState& world, const Body& body);
-/// True if a body that deforms visibly does so now, by the energy of its elements.
+/// True if a tet of a body is strained by more than `strain` [-], about, by its energy.
+bool is_strained_by(const WorldState& world, const Body& body, double strain);
+/// True if a body that deforms visibly does so now.
 bool is_visibly_strained(const WorldState& world, const Body& body);
 /// True if a body is visibly strained by its own weight wherever it lies.
 bool sags_visibly(const WorldState& world, const Body& body);

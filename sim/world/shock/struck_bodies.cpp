@@ -17,24 +17,16 @@ bool suits_speed(const WorldState& world, const Body& body, double speed) {
   return speed < kMaxMach * bar_wave_speed(world.material_of(body));
 }
 
-/// True if a tet is strained by more than a tenth, about, by its energy.
-bool is_strained_far(const WorldState& world, const Body& body) {
-  constexpr double kFar = 0.1;
-  const double most = 0.5 * world.material_of(body).young_modulus * kFar * kFar;
-  return body.sways() &&
-         std::ranges::any_of(body.tets, [&](TetId tet) { return world.elements.states[tet].energy_density > most; });
-}
-
 }  // namespace
 
 bool suits_microsteps(const WorldState& world, const Body& body, double impact_speed) {
-  constexpr double kMaxStrain = 0.05;
-  constexpr double kMaxFrequency = 200;  // in bar wave speeds over the mean edge length
+  constexpr double kMaxStrain = 0.05, kFar = 0.1;  // that breaks it; that it has
+  constexpr double kMaxFrequency = 200;            // in bar wave speeds over the mean edge length
   const Material& material = world.material_of(body);
   return material.tensile_strength < kMaxStrain * material.young_modulus &&
          suits_speed(world, body, std::max(impact_speed, inner_speed(world, body))) &&
          highest_frequency(world, body) * body.element_size < kMaxFrequency * bar_wave_speed(material) &&
-         !is_strained_far(world, body);
+         !(body.sways() && is_strained_by(world, body, kFar));
 }
 
 bool have_just_parted(const WorldState& world, BodyId a, BodyId b) {
