@@ -30,7 +30,7 @@ struct RigidContact {
   double distance = 0;          ///< [m], negative where they overlap by more than is allowed
   double resting = 0;           ///< overlap that stays [m]
   double friction = 0;          ///< Coulomb's coefficient
-  double restitution = 0;       ///< of the normal velocity; 0 where it does not strike
+  double restitution = 0;       ///< coefficient of the normal velocity; 0 without an impact
   double approach = 0;          ///< that the step would have without contacts [m/s]
   double fall = 0;              ///< what of it the step's external forces add [m/s]
   Vec3 force = Vec3::Zero();    ///< on a: of the last step; then of this one's last substep [N]

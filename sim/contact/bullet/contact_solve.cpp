@@ -25,7 +25,7 @@ Mat3 contact_axes(const Vec3& normal) {
   return axes;
 }
 
-/// How a rigid object answers a torque [1/(kg·m²)].
+/// Inverse inertia of a rigid object in the world's frame [1/(kg·m²)].
 Mat3 inverse_inertia_in_world(const Object& object) {
   return object.place.rotation * object.inverse_inertia * object.place.rotation.transpose();
 }
@@ -42,7 +42,7 @@ double contact::distance_beyond(double distance, double allowed_overlap) {
   return distance < 0 ? std::min(0.0, distance + allowed_overlap) : distance;
 }
 
-/// What a contact with something elastic is to be solved by, without its velocities.
+/// Returns the law of a contact in a group with a deformable object, without its velocities.
 ContactWorld::Law ContactWorld::Impl::law_of(const Contact& contact, const Memory& memory, double dt) const {
   const Object &a = objects[contact.a], &b = objects[contact.b];
   Law law;

@@ -123,7 +123,7 @@ struct Memory {
   int node_contact = -1;  ///< index into ContactState::node_contacts
 };
 
-/// Lists that each substep fills anew: members so that their memory is used again. No part of a world's value.
+/// Lists that each substep fills, kept so that their memory is reused. They are no part of a world's value.
 struct SubstepScratch {
   struct ClosePair {
     int pair;    ///< index into ContactState::pairs
@@ -134,7 +134,7 @@ struct SubstepScratch {
   std::vector<int> first_pairs;  ///< per object: its first pair as the first of the two; and the end
   std::vector<Pair> found;
   std::vector<RigidBody> rigid_bodies;       ///< per object, as the last solve() moved them
-  std::vector<RigidContact> rigid_contacts;  ///< of groups without anything elastic
+  std::vector<RigidContact> rigid_contacts;  ///< of groups in which nothing deforms
   std::vector<int> contact_of_row;           ///< per rigid contact: index into ContactState::contacts
 
   void keep_box(int leaf, const Box& box) {
@@ -165,10 +165,10 @@ struct ContactState {
   std::vector<int> free_manifolds;
   Strays strays;  ///< as the last advance() moves everything
 
-  std::vector<ContactWorld::Law> laws;   ///< of contacts in groups with something elastic, of the last solve()
+  std::vector<ContactWorld::Law> laws;   ///< laws of contacts in groups with a deformable object, of the last solve()
   std::vector<int> law_of_contact;       ///< per contact: index into `laws`, -1 where all is rigid
   std::vector<HingedObject> hinged;      ///< as given to the last solve()
-  std::vector<RigidGroup> rigid_groups;  ///< those without anything elastic, of the last solve()
+  std::vector<RigidGroup> rigid_groups;  ///< groups in which nothing deforms, of the last solve()
   std::vector<bool> moves_rigidly;       ///< per object: in one of these
   std::vector<int> elastic_contacts;     ///< all others
 };

@@ -51,9 +51,9 @@ double highest_speed(const Flight& flight, double dt) {
   return flight.velocity.norm() + dt * flight.acceleration.norm() + flight.turning_speed();
 }
 
-/// What of an object says whether it may strike another hard.
+/// Speeds of an object that decide if it may take part in a damaging impact.
 struct Flyer {
-  double speed, impact_speed;  ///< that no point of it exceeds; from which it could be hurt [m/s]
+  double speed, impact_speed;  ///< upper bound of its points; least one that could damage it [m/s]
   bool moves;
 };
 
