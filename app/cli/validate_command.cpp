@@ -6,7 +6,9 @@
 #include "app/output/output.h"
 #include "app/shared/progress.h"
 #include "app/shared/text_table.h"
+#include "app/validate/experiment_picture.h"
 #include "app/validate/scorecard.h"
+#include "renderer/egl_context.h"
 #include "sim/core/error.h"
 #include "sim/core/read_file.h"
 #include "sim/core/replace_file.h"
@@ -17,8 +19,9 @@ namespace {
 struct ValidateOptions {
   std::vector<std::string> names;
   bool list = false, quick = false, strict = false;
-  int meshes = 0;             ///< number of meshes, the coarsest first; 0: all
-  std::filesystem::path out;  ///< empty: stdout
+  int meshes = 0;                  ///< number of meshes, the coarsest first; 0: all
+  std::filesystem::path out;       ///< empty: stdout
+  std::filesystem::path pictures;  ///< folder; empty: none are drawn
 };
 
 /// Returns the chosen experiments. Throws InputError for an unknown name.
@@ -48,6 +51,16 @@ Scorecard earlier_entries(const std::filesystem::path& out) {
   return !out.empty() && std::filesystem::exists(out) ? read_scorecard(read_file(out)) : Scorecard{};
 }
 
+/// Draws the picture of an experiment that has one. Returns its path from the page, empty without a picture.
+std::string draw_picture(const ValidateOptions& options, const Experiment& experiment) {
+  if (options.pictures.empty() || !experiment.pictured) return {};
+  const std::filesystem::path file = options.pictures / (experiment.key + ".png");
+  std::filesystem::create_directories(options.pictures);
+  const render::EglContext context;
+  save_picture(file, experiment_picture(experiment));
+  return std::filesystem::proximate(file, options.out.parent_path()).generic_string();
+}
+
 /// Runs experiments and writes the page. Returns the number of those that fail.
 int validate(const ValidateOptions& options, const std::vector<Experiment>& chosen) {
   Scorecard scorecard = earlier_entries(options.out);
@@ -56,7 +69,7 @@ int validate(const ValidateOptions& options, const std::vector<Experiment>& chos
   for (const Experiment& experiment : chosen) {
     const Judgment judgment =
         judge(experiment, [&](const std::string& mesh) { progress.enter(experiment.key + ", " + mesh); });
-    scorecard[experiment.key] = scorecard_entry(experiment, judgment);
+    scorecard[experiment.key] = scorecard_entry(experiment, judgment, draw_picture(options, experiment));
     failures += judgment.passes() ? 0 : 1;
     progress.note(experiment.key + ": " + (judgment.passes() ? "passes" : "fails, " + judgment.worst));
     if (!options.out.empty()) replace_file(options.out, scorecard_page(scorecard));
@@ -72,6 +85,7 @@ ExitCode run_validate(const ValidateOptions& options) {
     return kDone;
   }
   if (!options.out.empty()) check_replaceable(options.out);
+  if (!options.pictures.empty()) check_folder(options.pictures);
   return validate(options, chosen) > 0 && options.strict ? kFailed : kDone;
 }
 
@@ -89,6 +103,8 @@ Command add_validate(CLI::App& program) {
   command->add_flag("--strict", options->strict, "Exit code 1 if an experiment fails");
   command->add_option("--out", options->out, "Write the page here; parts of other experiments in it stay")
       ->type_name("FILE");
+  command->add_option("--pictures", options->pictures, "Also draw the specimens, into this folder")
+      ->type_name("FOLDER");
   add_threads(*command);
   command->footer(
       "Examples:\n"

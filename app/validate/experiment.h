@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/world/world.h"
+
 namespace griffith::app {
 
 /// Closed range of accepted values.
@@ -40,15 +42,28 @@ struct Experiment {
   bool quick = false;               ///< true if all its meshes take a few seconds together
   /// Runs one mesh. Every mesh gives the same readings in the same order.
   std::function<std::vector<Reading>(int mesh)> run;
+  std::function<World()> pictured = {};  ///< returns the world to draw, after a run; empty: no picture
 };
 
 /// Returns all experiments in the order of the page.
 std::span<const Experiment> experiments();
 
 // Each makes one entry of experiments(), in a file of its subject.
+Experiment uniaxial_tension();
+Experiment biaxial_tension();
+Experiment hydrostatic_tension();
+Experiment torsion();
 Experiment crack_in_a_strip();
+Experiment edge_notch();
 Experiment notched_beam();
 Experiment center_cracked_plate();
+Experiment double_cantilever_beam();
+Experiment plate_with_hole();
+Experiment brazilian_disc();
+Experiment spalling_bar();
+Experiment ring_fragmentation();
+Experiment branching_plate();
+Experiment kalthoff_winkler();
 Experiment zener_plate();
 Experiment ball_on_plate();
 

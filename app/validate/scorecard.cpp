@@ -86,7 +86,7 @@ std::string marked(const std::string& name, const std::string& text) { return kB
 
 }  // namespace
 
-ScorecardEntry scorecard_entry(const Experiment& experiment, const Judgment& judgment) {
+ScorecardEntry scorecard_entry(const Experiment& experiment, const Judgment& judgment, const std::string& picture) {
   const std::string verdict = mark(judgment.passes());
   ScorecardEntry entry;
   entry.row = "| [" + experiment.key + "](#" + anchor_of(experiment.title) + ") | " + experiment.title + " | " +
@@ -96,6 +96,7 @@ ScorecardEntry scorecard_entry(const Experiment& experiment, const Judgment& jud
                      "\n\nAccepted: " + experiment.acceptance + "\n\nResult: " + verdict + ", " +
                      result_text(judgment) + ".";
   if (!judgment.passes() && !experiment.cause.empty()) text += " " + experiment.cause;
+  if (!picture.empty()) text += "\n\n![" + experiment.title + "](" + picture + ")";
   entry.section = text + "\n\n" + values_table(experiment, judgment);
   return entry;
 }

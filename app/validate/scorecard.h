@@ -18,8 +18,8 @@ struct ScorecardEntry {
 /// Entries by key of their experiment.
 using Scorecard = std::map<std::string, ScorecardEntry>;
 
-/// Writes the entry of a judged experiment.
-ScorecardEntry scorecard_entry(const Experiment& experiment, const Judgment& judgment);
+/// Writes the entry of a judged experiment. `picture`: path of its picture from the page; empty: none.
+ScorecardEntry scorecard_entry(const Experiment& experiment, const Judgment& judgment, const std::string& picture = "");
 
 /// Returns the page with these entries in the order of experiments().
 std::string scorecard_page(const Scorecard& scorecard);
