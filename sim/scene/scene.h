@@ -11,6 +11,7 @@
 #include "sim/scene/boundary_condition.h"
 #include "sim/scene/probe.h"
 #include "sim/scene/projectile_shape.h"
+#include "sim/scene/residual_stress.h"
 #include "sim/scene/shape.h"
 #include "sim/splinters/splinter_pattern.h"
 
@@ -43,6 +44,7 @@ struct BodyDescription {
   double minimum_element_size = 0;  ///< shortest edge of remeshing [m]; 0: a quarter of the initial element size
   std::optional<Weakness> weakness;
   std::optional<StrengthScatter> strength_scatter;
+  std::optional<ResidualStress> residual_stress;
   std::vector<Support> supports;
   std::vector<Load> loads;
   std::optional<SplinterPattern> splinters;             ///< visible fragments when it breaks; none: its tets

@@ -165,6 +165,35 @@ void describe(Archive& archive, StrengthScatter& scatter) {
 }
 
 template <class Archive>
+void describe(Archive& archive, ParabolicStress& stress) {
+  archive.field("normal", stress.normal, kDirection, "Direction of the thickness in the body's rest space");
+  archive.field("surface_stress", stress.surface_stress, between(-1e12, 1e12, "Pa"),
+                "Stress at both surfaces, negative in tempered glass; in the middle it is half as large and opposite");
+}
+
+template <class Archive>
+void describe(Archive& archive, UniformStrain& uniform) {
+  archive.field("strain", uniform.strain, between(-0.5, 0.5, "-"), "Strain along x, y, z of the body's rest space");
+  archive.field("shear", uniform.shear, between(-0.5, 0.5, "-"), "Components yz, xz, xy of the strain tensor");
+}
+
+template <class Archive>
+void describe(Archive& archive, StrainFile& file) {
+  archive.field("path", file.path, MeshPath{"file of strains"},
+                "Text file with xx, yy, zz, yz, xz, xy for each tetrahedron of the mesh; relative to the scene file's "
+                "folder");
+}
+
+template <class Archive>
+void describe(Archive& archive, ResidualStress& stress) {
+  archive.template alternative<ParabolicStress>("parabolic", stress, Parts{},
+                                                "Parabolic through the thickness, as in tempered glass");
+  archive.template alternative<UniformStrain>("uniform", stress, Parts{},
+                                              "The same strain everywhere, such as thermal strain");
+  archive.template alternative<StrainFile>("file", stress, Parts{}, "Strain of each tetrahedron from a file");
+}
+
+template <class Archive>
 void describe(Archive& archive, BodyDescription& body) {
   archive.field("name", body.name, Text{1}, "Name, different from every other body's");
   archive.field("shape", body.shape, Parts{}, "Geometry");
@@ -186,6 +215,8 @@ void describe(Archive& archive, BodyDescription& body) {
                 "Shortest edge of remeshing; 0: a quarter of the initial element size");
   archive.field("weakness", body.weakness, Parts{}, "Direction in which it is weaker; null: none");
   archive.field("strength_scatter", body.strength_scatter, Parts{}, "Random strength from flaws; null: none");
+  archive.field("residual_stress", body.residual_stress, Parts{},
+                "Stress without loads, as a strain without stress of each tetrahedron; null: none");
   archive.field("supports", body.supports, Parts{}, "Supported regions");
   archive.field("loads", body.loads, Parts{}, "Loads on regions");
   archive.field("splinters", body.splinters, Parts{},

@@ -20,6 +20,7 @@ std::vector<std::filesystem::path*> paths_in(Scene& scene) {
   for (BodyDescription& body : scene.bodies) {
     add_path(body.shape, paths);
     if (body.splinters) add_path(*body.splinters, paths);
+    if (body.residual_stress) add_path(*body.residual_stress, paths);
   }
   for (ProjectileBurst& burst : scene.projectiles)
     if (burst.shape) add_path(*burst.shape, paths);

@@ -17,6 +17,7 @@
 #include "sim/world/publish.h"
 #include "sim/world/setup/build_world.h"
 #include "sim/world/setup/check_elements.h"
+#include "sim/world/setup/residual_strains.h"
 #include "sim/world/shock/shock_phase.h"
 #include "sim/world/world_impl.h"
 #include "sim/world/world_state.h"
@@ -56,11 +57,9 @@ void restore_start(WorldState& world, int scene_body) {
     if (body.scene_body != scene_body) continue;
     for (NodeId node : body.nodes) world.nodes.positions[node] = world.mesh->rest_positions[node];
     for (EdgeId edge : body.edges) world.edges.offsets[edge].setZero();
-    for (TetId tet : body.tets) {
-      if (!world.elements.plastic_strains.empty()) world.elements.plastic_strains[tet].setZero();
-      world.elements.states.edit()[tet] = {};
-    }
+    for (TetId tet : body.tets) world.elements.states.edit()[tet] = {};
   }
+  reset_residual_strains(world, scene_body);
 }
 
 /// Under the material that is in force now; what was put off is forgotten, since another would have to open.

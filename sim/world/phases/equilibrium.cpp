@@ -68,6 +68,18 @@ void settle(WorldState& world, Body& body, const StaticProblem& problem, const M
   world.report.unconverged_solves += !report.converged;
 }
 
+bool has_residual_stress(const WorldState& world, const Body& body) {
+  return world.model->scene.bodies[body.scene_body].residual_stress.has_value();
+}
+
+/// Gives a body in equilibrium back the velocities that it starts with.
+void start_in_motion(WorldState& world, Body& body, const std::vector<Vec3>& velocities,
+                     const std::vector<Vec3>& of_edges) {
+  for (const NodeId node : body.nodes) world.nodes.velocities[node] = velocities[node];
+  for (const EdgeId edge : body.edges) world.edges.velocities[edge] = of_edges[edge];
+  update_motion(world, body);
+}
+
 }  // namespace
 
 void find_equilibrium(WorldState& world, double time, double displacement_time,
@@ -91,9 +103,12 @@ void find_equilibrium(WorldState& world, double time, double displacement_time,
 void find_static_start(WorldState& world, int scene_body, const Monitor& monitor) {
   if (!world.model->scene.simulation.static_start || world.model->scene.analysis != Analysis::dynamic) return;
   const auto concerns = [&](const Body& body) {
-    return body.supported() && (scene_body < 0 || body.scene_body == scene_body);
+    return (body.supported() || has_residual_stress(world, body)) && (scene_body < 0 || body.scene_body == scene_body);
   };
+  const std::vector<Vec3> velocities = world.nodes.velocities, of_edges = world.edges.velocities;
   find_equilibrium(world, 0, 0, concerns, monitor);
+  for (Body& body : world.bodies)
+    if (!body.supported() && concerns(body)) start_in_motion(world, body, velocities, of_edges);
 }
 
 }  // namespace griffith

@@ -20,6 +20,7 @@
 #include "sim/world/publish.h"
 #include "sim/world/setup/check_elements.h"
 #include "sim/world/setup/place_splinters.h"
+#include "sim/world/setup/residual_strains.h"
 #include "sim/world/setup/shape_mesh.h"
 #include "sim/world/world_state.h"
 
@@ -289,6 +290,7 @@ WorldState build_world(const Scene& scene, const Monitor& monitor, const GivenMe
   for (int i = 0; i < static_cast<int>(world.materials.size()); ++i) check_substep_count(world, i, world.materials[i]);
   const auto yields = [](const Material& material) { return material.yield_strength.has_value(); };
   if (std::ranges::any_of(world.materials, yields)) world.elements.allow_strains();
+  for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) set_residual_strains(world, i);
   if (monitor.is_cancelled()) throw Cancelled();
   monitor.enter("Finding the start");
   find_static_start(world, -1, monitor);

@@ -29,6 +29,9 @@ std::string text_of(const ElementChoice& choice) {
 }
 
 void check_elements(const Scene& scene, int scene_body, ElementOrder order, const Material& material) {
+  if (scene.bodies[scene_body].residual_stress && material.yield_strength)
+    throw InputError("#/bodies/" + std::to_string(scene_body) + "/residual_stress", "is set for a material that yields",
+                     "remove it or the material's yield_strength");
   if (order != ElementOrder::quadratic) return;
   if (const auto obstacle = obstacle_to_quadratic(scene.bodies[scene_body], material))
     throw InputError("#/bodies/" + std::to_string(scene_body) + "/elements",

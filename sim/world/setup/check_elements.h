@@ -5,7 +5,7 @@
 
 namespace griffith {
 
-/// Throws an InputError where quadratic elements meet what they cannot do.
+/// Throws an InputError where quadratic elements or residual stress meet what they cannot do.
 void check_elements(const Scene& scene, int scene_body, ElementOrder order, const Material& material);
 
 /// The elements of a scene body with this mesh. ElementOrder::automatic is quadratic where fewer than four linear ones
