@@ -30,20 +30,22 @@ Scene struck_plate_scene(const StruckPlate& struck) {
   ball.mass = struck.ball_mass;
   ball.radius = struck.ball_radius;
   ball.restitution = 0;
+  scene.simulation.time_step = 1e-3;
   scene.projectiles = {ball};
   return scene;
 }
 
-/// Returns the world 10 ms after the impact, or after the first crack if `until_crack`.
+/// Returns the world 4 ms after the impact, or after the first crack if `until_crack`. Bending waves cross the plates
+/// in less than 1 ms.
 World struck_world(const Scene& scene, bool until_crack) {
   World world(scene);
-  const double end = 0.001 * scene.projectiles[0].radius / scene.projectiles[0].speed + 0.01;
+  const double end = 0.001 * scene.projectiles[0].radius / scene.projectiles[0].speed + 0.004;
   while (world.frame().time < end && !(until_crack && !world.frame().crack_events.empty())) world.step();
   return world;
 }
 
 double lowest_breaking_speed(StruckPlate struck, double low, double high) {
-  return lowest_breaking(low, high, 0.03, [&](double speed) {
+  return lowest_breaking(low, high, 0.05, [&](double speed) {
     struck.speed = speed;
     return !struck_world(struck_plate_scene(struck), true).frame().crack_events.empty();
   });
@@ -51,7 +53,7 @@ double lowest_breaking_speed(StruckPlate struck, double low, double high) {
 
 /// Returns the number of pieces heavier than 1 % of the plate, the mean of some shots near one another.
 double large_pieces(StruckPlate struck) {
-  constexpr int kShots = 3;
+  constexpr int kShots = 2;
   double pieces = 0;
   for (int shot = 0; shot < kShots; ++shot) {
     struck.place = Vec2(0.03 + 0.01 * shot, 0.05 - 0.015 * shot);
@@ -131,7 +133,7 @@ Experiment ball_on_plate() {
           .measured =
               "A ball of 5 kg and 16 cm hits a free plate of concrete of 1 × 1 × 0.1 m, and a ball of steel of 200 g a "
               "pane of soda-lime glass of 0.4 × 0.4 × 0.01 m. Measured are the lowest speeds that cause a crack, and "
-              "the pieces heavier than 1 % of the plate 10 ms after an impact of 12 m/s (mean of three shots).",
+              "the pieces heavier than 1 % of the plate 4 ms after an impact of 12 m/s (mean of two shots).",
           .acceptance = "The same speed ± 25 % and the same number of pieces ± 30 % on all meshes.",
           .meshes = {"h", "h/2", "h/4"},
           .run = run_ball_on_plate,
