@@ -156,6 +156,7 @@ Experiment kalthoff_winkler() {
           "edge below the slit moves at 16.5 m/s. Measured after 100 µs is the angle between the crack and the slit.",
       .acceptance = "65° to 75°; ± 15 % over meshes.",
       .meshes = {"h = 5 mm", "h = 2.5 mm", "h = 1.25 mm"},
+      .quick = true,
       .run = run_kalthoff,
       .pictured = [] { return sheared_plate(2.5e-3); }};
 }
