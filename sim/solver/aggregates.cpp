@@ -42,7 +42,7 @@ void group_the_rest(const BlockSparseMatrix& matrix, int target_size, int count,
   for (int seed = 0; seed < matrix.rows(); ++seed) {
     if (aggregates[seed] >= 0) continue;
     const std::vector<int> members = grow(matrix, seed, count, target_size, aggregates);
-    // Left-over islands between grown aggregates join a neighbor: modes of a few nodes cost as much as any others.
+    // Islands between grown aggregates join a neighbor: modes of a few nodes cost as much as any others.
     const int neighbor =
         static_cast<int>(members.size()) * 4 < target_size ? adjacent_aggregate(matrix, members, aggregates) : -1;
     if (neighbor < 0) {

@@ -53,7 +53,7 @@ class ContactSolver {
     for (std::size_t i = 0; i < contacts_.size(); ++i) contacts_[i].impulse = impulses_.col(i);
     return report_;
   }
-  /// What the impulses change in the velocities of a body; the momentum of the whole is exact.
+  /// Returns the velocity change of a body by the impulses. The momentum of the whole is exact.
   NodeVectors change(std::size_t body, const DeformableInertia& inertia) const {
     NodeVectors change = bodies_.change(body, y_);
     if (!inertia.matrix || !inertia.whole.exists()) return change;

@@ -40,16 +40,16 @@ class FactorPreconditioner {
   std::vector<simd::WideQuad> reduce(const std::array<NodeVectors, simd::kDoubleLanes>& r) const;
 
   int factorization_count() const { return factorizations_; }
-  /// About [bytes].
+  /// Returns its approximate memory [bytes].
   std::size_t memory() const;
   bool shares_with(const FactorPreconditioner& other) const { return state_ == other.state_; }
 
  private:
-  /// What copies share.
+  /// Data that copies share.
   struct Factored {
     std::shared_ptr<const BlockCholesky> factors;
     MatrixFactors made_of;
-    std::vector<Mat3> frames;  ///< of the elements
+    std::vector<Mat3> frames;  ///< frames of the elements
   };
   void factor(const BlockSparseMatrix& matrix, const MatrixFactors& made_of, std::span<const ElementState> states);
   bool still_hold(const MatrixFactors& made_of, std::span<const ElementState> states) const;

@@ -16,7 +16,7 @@ struct Pivot {
   Axes axes;                  ///< orthonormal columns: those that it may turn about, one or three
 };
 
-/// How a set of nodes turns about a pivot.
+/// Rotation of a set of nodes about a pivot.
 struct Turning {
   Mat3 inertia = Mat3::Zero();   ///< about the pivot [kg·m²]
   Vec3 momentum = Vec3::Zero();  ///< angular, about the pivot [kg·m²/s]

@@ -47,7 +47,7 @@ simd::Quad times(const float* block, simd::Quad x) {
   return load(block) * x[0] + load(block + 3) * x[1] + load(block + 6) * x[2];
 }
 
-/// What the iterations work on: see iterate_conjugate_gradients().
+/// Vectors of the iterations in single precision: see iterate_conjugate_gradients().
 struct SinglePrecisionSystem {
   const BlockSparseMatrix& a;
   const std::vector<float> blocks;

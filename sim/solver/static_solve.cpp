@@ -28,7 +28,7 @@ struct Balance {
   double elastic_energy = 0;   // [J]
 };
 
-/// How far a step moves the nodes, and the edges of a quadratic body, per node and edge of the mesh [m].
+/// Displacements of the nodes in a step, and of the edges of a quadratic body, per node and edge of the mesh [m].
 struct StaticStep {
   std::vector<Vec3> nodes, edges;
 };
@@ -234,7 +234,7 @@ StaticStep StaticSolver::newton_step(const Balance& now, std::span<const NodeCon
                     no_masses);
   const NodeVectors b = system_->gather(now.residual, now.edges);
   NodeVectors x = NodeVectors::Zero(3, b.cols());
-  // Large thin quadratic bodies need many iterations, but a factorisation takes longer still.
+  // Large thin quadratic bodies need many iterations, but a factorization takes longer still.
   constexpr int kManyRows = 3000, kMore = 20;
   const int iterations =
       (system_->edges().empty() || system_->rows() < kManyRows ? 1 : kMore) * settings_.max_iterations;
@@ -272,7 +272,8 @@ void StaticSolver::move(const StaticStep& start, const StaticStep& step, double 
   for (const EdgeId edge : edges_) problem_.edges->offsets[edge] = start.edges[edge] + fraction * step.edges[edge];
 }
 
-/// What the potential energy grows by over a share of a step [J]; loads that follow work by their mean.
+/// Returns the growth of the potential energy over a fraction of a step [J]. Loads that follow the surface do work by
+/// their mean.
 double StaticSolver::energy_gained(const Balance& before, const Balance& after, const StaticStep& step,
                                    double fraction) const {
   double work = 0;
@@ -281,8 +282,8 @@ double StaticSolver::energy_gained(const Balance& before, const Balance& after, 
   return after.elastic_energy - before.elastic_energy - work;
 }
 
-/// Halves the step until the energy falls enough (Armijo 1966) or the forces come closer to balance; false when neither
-/// happens.
+/// Halves the step until the energy decreases enough (Armijo 1966) or the imbalance of forces decreases. Returns false
+/// if neither happens.
 bool StaticSolver::search_line(Balance& now, const StaticStep& step) {
   constexpr double kSufficientFraction = 1e-4;
   constexpr int kMaxHalvings = 12;
