@@ -12,7 +12,7 @@
 namespace griffith::contact {
 namespace {
 
-/// Shapes with a thinner margin are small: less than some centimetres [m].
+/// Shapes with a thinner margin are small: less than some centimeters [m].
 constexpr double kSmallMargin = 2e-3;
 
 Separation separation_from_ground(const PlacedShape& shape, double height) {
@@ -36,7 +36,7 @@ Separation separation(const btConvexShape& a, const btTransform& a_place, const 
   return {closest.m_distance, from_bullet(closest.m_normalOnBInWorld), from_bullet(closest.m_pointInWorld)};
 }
 
-/// Bullet's tolerances are lengths, areas and volumes: what is small is looked at through a magnifying glass.
+/// Bullet's tolerances are lengths, areas and volumes: small shapes are enlarged for it.
 Separation scaled_separation(const PlacedShape& a, const PlacedShape& b, double scale) {
   btUniformScalingShape large_a(const_cast<btConvexShape*>(a.convex), scale);
   btUniformScalingShape large_b(const_cast<btConvexShape*>(b.convex), scale);
