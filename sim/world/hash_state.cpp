@@ -5,7 +5,7 @@
 namespace griffith {
 namespace {
 
-/// The hash of numbers that do not lie side by side, in their order.
+/// Hash of numbers that are not contiguous, in their order.
 class FieldHash {
  public:
   template <class T>

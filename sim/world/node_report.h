@@ -13,8 +13,8 @@ struct ElementContribution {
   TetId tet;
   bool above = false;  ///< its middle lies on the side of the candidate plane to which the normal points
   SplitForce force;
-  /// What it adds to v⁺, ½ n̂·(m(f_e⁺) − m(f_e⁻)) n̂ [N], or to the mean tensile stress [Pa], as NodeReport::by_tension
-  /// has it.
+  /// Contribution to v⁺, ½ n̂·(m(f_e⁺) − m(f_e⁻)) n̂ [N], or to the mean tensile stress [Pa], depending on
+  /// NodeReport::by_tension.
   double contribution = 0;
 };
 
@@ -22,19 +22,22 @@ struct ElementContribution {
 struct NodeReport {
   NodeId node;
   BodyId body;
-  /// What its utilization was taken of: averaged over substeps, before what cracked in the last one.
+  /// Separation on which its utilization is based: averaged over substeps, before the cracks of the last one.
   NodeSeparation separation;
 
   // All of this comes from the frame's own stresses and adds up.
   bool strained = false;  ///< false in a rigid piece, whose stress is not computed: the rest is empty then
-  PrincipalValues principal = {Vec3::Zero(), Mat3::Identity()};  ///< of the separation tensor, ascending [N]
+  PrincipalValues principal = {
+      Vec3::Zero(), Mat3::Identity()};  ///< principal values and directions of the separation tensor, ascending [N]
   CandidatePlane plane;
   double load = 0;          ///< across the plane [Pa], or [N] by the criterion of the separation force
   bool by_tension = false;  ///< the load is the mean tensile stress of the elements, not v⁺ per area
   std::vector<ElementContribution> elements;  ///< all at the node, the largest share first
   double balance = 0;                         ///< what the sums of all forces add to v⁺, mostly against it [N]
 
-  Vec3 normal() const { return by_tension ? plane.normal : plane.pulled; }  ///< of the plane that the shares are for
+  Vec3 normal() const {
+    return by_tension ? plane.normal : plane.pulled;
+  }  ///< normal of the plane to which the contributions belong
   /// What shares and balance add up to: v⁺ [N] or, by tension, the load [Pa].
   double sum() const { return by_tension ? load : plane.eigenvalue; }
 

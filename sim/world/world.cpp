@@ -37,7 +37,7 @@ void change_bodies(WorldState& world, int scene_body) {
   }
 }
 
-/// Whether two materials differ in what resists cracks alone: nothing moves otherwise for it.
+/// True if two materials differ only in their resistance to cracks, so that motion is unchanged.
 bool differ_in_resistance_alone(Material a, const Material& b) {
   a.tensile_strength = b.tensile_strength;
   a.fracture_toughness = b.fracture_toughness;
@@ -85,7 +85,7 @@ World::World(const Scene& scene, const InMemoryMeshes& meshes, const Monitor& mo
     : impl_(std::make_unique<Impl>(build_world(scene, monitor, meshes))) {}
 World::~World() = default;
 World::World(const World& other) : impl_(std::make_unique<Impl>(*other.impl_)) {
-  WorldState& world = impl_->state;  // views look at what belongs to the bodies of this world
+  WorldState& world = impl_->state;  // views refer to data of the bodies of this world
   for (BodyView& view : world.body_views) view.collision_parts = world.bodies[view.id].collision_parts;
 }
 World& World::operator=(const World& other) { return *this = World(other); }

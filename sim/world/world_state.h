@@ -30,27 +30,27 @@ namespace griffith {
 
 /// A body whose waves are resolved by microsteps (explicit_run.h).
 struct ExplicitState {
-  double last_event = 0;    ///< when something struck it hard or cracked in it last [s]
-  double impact_speed = 0;  ///< of what struck it [m/s]
+  double last_event = 0;    ///< time of its last impact or crack [s]
+  double impact_speed = 0;  ///< speed of the impact on it [m/s]
   double frequency = 0;     ///< highest of its elements under the full stiffness, slivers relieved [rad/s]
   double similarity = 1;    ///< f (similarity.h), 0..1
-  int group = 0;            ///< those of one group are followed together; 0: in the substeps that all share
+  int group = 0;            ///< bodies of one group are followed together; 0: in the shared substeps
 };
 
-/// What another object did to a body in a substep.
+/// Load of another object on a body in a substep.
 struct ContactLoad {
   ProxyId other;
   Vec3 force = Vec3::Zero();  ///< [N]
 };
 
-/// For how long a swaying body has been at rest, and how it was when that began.
+/// Duration of rest of a deformable body, and its state at the beginning.
 struct Rest {
   double time = 0;              ///< [s]
-  Pose place;                   ///< of its center of mass
-  double peak_utilization = 0;  ///< of its nodes
+  Pose place;                   ///< place of its center of mass
+  double peak_utilization = 0;  ///< largest utilization of its nodes
 };
 
-/// How a rigid body began a substep, and what acted on it.
+/// State of a rigid body at the start of a substep, and the external loads on it.
 struct RigidStart {
   Vec3 velocity = Vec3::Zero(), angular_velocity = Vec3::Zero();
   Vec3 force = Vec3::Zero(), torque = Vec3::Zero();  ///< external, gravity too [N], [N·m]
@@ -76,34 +76,34 @@ struct alignas(64) Body {
   std::vector<TetId> tets;    ///< ascending
   std::vector<NodeId> nodes;  ///< ascending, held ones too
   std::vector<SurfaceFace> surface;
-  NodeVectors reference_arms;     ///< nodes relative to the center of mass when the shape was made [m]
+  NodeVectors reference_arms;     ///< nodes relative to the center of mass in the last shape made [m]
   std::vector<EdgeId> edges;      ///< ascending; none of a body with linear tets
-  NodeVectors reference_offsets;  ///< of `edges`, when it was made rigid [m]
+  NodeVectors reference_offsets;  ///< offsets of `edges` when it was made rigid [m]
   Boxed<ElasticSystem> system;
-  std::vector<ConvexPart> collision_parts;       ///< of the proxy, for the frame [m]
-  double highest_frequency = 0;                  ///< [rad/s]; 0 until explicit integration asks for it
-  double element_size = 0;                       ///< edge length of the cubes that six of its tets would fill, mean [m]
-  double extent = 0;                             ///< longest edge of the box round it at rest [m]
-  double weakest_fraction = 1;                   ///< of its material's resistance, at its weakest node and plane [-]
-  std::optional<ScaledImpact> scaled;            ///< of the last step, if any
-  double energy = 0;                             ///< kinetic and elastic, when the substep began [J]
-  double contact_work = 0;                       ///< of the contacts in the substep, at the velocities after it [J]
-  RigidStart start;                              ///< of the present substep
-  std::vector<ContactLoad> known_contact_loads;  ///< of a rigid body: what it carried when it was calm, by object
-  Rest rest;                                     ///< of one that sways
+  std::vector<ConvexPart> collision_parts;  ///< convex parts of the proxy, for the frame [m]
+  double highest_frequency = 0;             ///< [rad/s]; 0 until explicit integration asks for it
+  double element_size = 0;                  ///< edge length of the cubes that six of its tets would fill, mean [m]
+  double extent = 0;                        ///< longest edge of the box around it at rest [m]
+  double weakest_fraction = 1;              ///< fraction of its material's resistance at its weakest node and plane [-]
+  std::optional<ScaledImpact> scaled;       ///< record of the last step, if any
+  double energy = 0;                        ///< kinetic and elastic, when the substep began [J]
+  double contact_work = 0;                  ///< work of the contacts in the substep, at the velocities after it [J]
+  RigidStart start;                         ///< start of the present substep
+  std::vector<ContactLoad> known_contact_loads;  ///< loads on a rigid body when it was found quiescent, by object
+  Rest rest;                                     ///< rest of a deformable body
   double explicit_ended = -std::numeric_limits<double>::infinity();  ///< when it left explicit dynamics [s]
 
   /// As BodyView::broke_scaled: decides nothing, so that it is not hashed.
   std::optional<ScaledImpact> broke_scaled;
 
   bool supported() const { return !system->is_free(); }
-  /// Whether the implicit step moves it.
+  /// True if the step without microsteps deforms it.
   bool is_deformable() const { return !rigid && !explicit_state && !asleep; }
 };
 
 struct Projectile {
   ProxyId object;
-  double radius = 0, mass = 0;             ///< radius of the sphere round it [m], [kg]
+  double radius = 0, mass = 0;             ///< radius of the sphere around it [m], [kg]
   std::shared_ptr<const ConvexHull> hull;  ///< in its own frame, for all of a burst; null for a sphere
   Mat3 inertia = Mat3::Zero();             ///< in its own frame [kg·m²]
   SurfaceProperties surface;
@@ -122,7 +122,7 @@ struct PostponedCrack {
   NodeSeparation separation;
 };
 
-/// What moved how when a substep began, for the energy account.
+/// Velocities and places at the start of a substep, for the energy account.
 struct SubstepStart {
   std::vector<Vec3> velocities;                               ///< per node [m/s]
   std::vector<Vec3> solved_velocities;                        ///< per node, after contacts and before bodies move [m/s]
@@ -130,10 +130,10 @@ struct SubstepStart {
   std::vector<RigidState> projectiles;                        ///< per projectile
 };
 
-/// What a step needs and nobody keeps.
+/// Temporary data of a step.
 struct Scratch {
   SubstepStart substep_start;
-  double microstep_work = 0;                   ///< of the step so far, in microseconds of a usual core
+  double microstep_work = 0;                   ///< work of the step so far, in microseconds of a typical core
   std::vector<NodeLoadSums> node_load_sums;    ///< per node: what separation follows from
   std::vector<simd::WideQuad> elastic_forces;  ///< per node, in the first three lanes [N]
   std::vector<Vec3> edge_forces;               ///< per edge [N]
@@ -147,7 +147,7 @@ struct Scratch {
   Scratch& operator=(const Scratch&) { return *this = Scratch(); }
 };
 
-/// A world between two steps, as a value: a copy goes on as the original does, to the bit.
+/// State of a world between two steps, a value: a copy continues with the same bits as the original.
 struct WorldState {
   explicit WorldState(std::shared_ptr<const Model> set_up)
       : model(std::move(set_up)), contact_world(model->scene.gravity) {}
@@ -160,7 +160,7 @@ struct WorldState {
   CopyOnWrite<TetMesh> mesh;
   NodeArrays nodes;
   ElementArrays elements;
-  CopyOnWrite<TetEdges> tet_edges;  ///< of quadratic bodies
+  CopyOnWrite<TetEdges> tet_edges;  ///< edges of quadratic bodies
   EdgeArrays edges;
   SplinterState splinter_state;
   std::vector<Body> bodies;  ///< by BodyId; never removed
@@ -184,7 +184,7 @@ struct WorldState {
   double explicit_overhead = 1;  ///< work of the last substep's explicit dynamics over that of its elements alone [-]
   bool in_equilibrium = false;   ///< static analysis: the last step found it, and nothing was left to crack
   double overload_check = OverloadHistory::kNever;  ///< when microsteps checked for overload last [s]
-  double potential_at_start = 0;                    ///< of gravity, with what was launched since [J]
+  double potential_at_start = 0;  ///< potential energy of gravity, including objects launched since [J]
   Scratch scratch;
 
   bool integrates_explicitly() const { return model->scene.simulation.integrator == Integrator::explicit_; }

@@ -21,7 +21,7 @@ double kinetic_energy(const WorldState& world) {
   return sum;
 }
 
-/// Energy that cracks of an area take, both sides counted once: G_c = K_Ic² (1 − ν²) / E [J/m²].
+/// Returns the energy of cracks per area, both sides counted once: G_c = K_Ic² (1 − ν²) / E [J/m²].
 double fracture_energy(const Material& material) {
   const double toughness = material.fracture_toughness, ratio = material.poisson_ratio;
   return toughness * toughness * (1 - ratio * ratio) / material.young_modulus;

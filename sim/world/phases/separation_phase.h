@@ -12,14 +12,14 @@ void evaluate_separation(WorldState& world, bool averaged);
 void evaluate_separation(WorldState& world, const Body& body);
 /// The highest utilization of a body's nodes, as evaluated last.
 double peak_utilization(const WorldState& world, const Body& body);
-/// Edge length of the cells round a node: that of a cube of six of its tets [m].
+/// Edge length of the cells around a node: that of a cube of six of its tets [m].
 double element_size_at(const WorldState& world, NodeId node);
-/// What a node of that material withstands, across the planes of uniform strength [Pa], or [N] with the force
+/// Returns the resistance of a node of that material, across the planes of uniform strength [Pa], or [N] with the force
 /// criterion.
 double resistance_at(const WorldState& world, const Material& material, NodeId node);
 /// Evaluates nodes under the states of their elements now.
 void evaluate_nodes(WorldState& world, const SeparationInput& input, std::span<const NodeId> nodes, bool averaged);
-/// What the separation tensors are made of.
+/// Returns the data of the separation tensors.
 SeparationInput separation_input(const WorldState& world);
 
 }  // namespace griffith

@@ -34,7 +34,7 @@ bool is_elastic(const WorldState& world, ProxyId object) {
   return id.valid() && !world.bodies[id].rigid && !world.bodies[id].asleep;
 }
 
-/// How fast the sides of each contact come together as if it did not push [m/s].
+/// Returns the approach speed of the sides of each contact without its impulse [m/s].
 std::vector<double> approach_speeds(const WorldState& world, const TouchedBodies& touched) {
   const std::span<const Contact> contacts = world.contact_world.contacts();
   std::vector<double> speeds(contacts.size(), 0.0);

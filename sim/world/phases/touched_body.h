@@ -15,7 +15,7 @@ struct TouchedPoint {
   SurfacePoint surface;
   NodeId node = {};              ///< where a node is known to touch
   Vec3 contact = Vec3::Zero();   ///< [m]
-  Vec3 position = Vec3::Zero();  ///< of the surface point [m]
+  Vec3 position = Vec3::Zero();  ///< position of the surface point [m]
 };
 
 /// An elastic body among its contacts in a substep.
@@ -26,7 +26,7 @@ struct TouchedBody {
   NodeVectors change;  ///< what the contacts did to them [m/s]
 };
 
-/// The elastic bodies that touch something, and what the contact world knows of each, by body.
+/// Elastic bodies with contacts, and the contact world's data of each, by body.
 struct TouchedBodies {
   std::vector<TouchedBody> bodies;
   std::vector<ElasticObject> objects;

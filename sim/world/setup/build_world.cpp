@@ -153,7 +153,7 @@ std::vector<ConvexPart> first_collision_parts(const WorldState& world, const Bod
   return parts;
 }
 
-/// Center of mass of all pieces together.
+/// Returns the center of mass of all pieces together.
 Vec3 center_of_mass(std::span<const Body> pieces) {
   Vec3 moment = Vec3::Zero();
   double mass = 0;
@@ -164,7 +164,8 @@ Vec3 center_of_mass(std::span<const Body> pieces) {
   return moment / mass;
 }
 
-/// What follows from the tets of a scene body's pieces, but for their proxies; touches nothing of other scene bodies.
+/// Sets all data that follow from the tets of a scene body's pieces, except for their proxies; changes nothing of other
+/// scene bodies.
 void complete(WorldState& world, const Pieces& pieces) {
   const std::span<Body> bodies = std::span(world.bodies).subspan(pieces.first, pieces.end - pieces.first);
   for (const Body& body : bodies)

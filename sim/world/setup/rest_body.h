@@ -8,8 +8,8 @@
 
 namespace griffith {
 
-/// Corner `corner` of `tet`. It stands for the same piece of material for good, while a node may be parted into
-/// several; where tets are bisected, follow_subdivision() (subdivision.h) brings it up to date.
+/// Corner `corner` of `tet`. It permanently marks the same piece of material, while a node may be split into several;
+/// follow_subdivision() (subdivision.h) updates it when tets are bisected.
 struct TetCorner {
   TetId tet;
   int corner = 0;
@@ -24,7 +24,7 @@ inline NodeId node_at(std::span<const std::array<NodeId, 4>> tets, const TetCorn
 struct RestBody {
   const TetSoup& soup;                    ///< prepared
   const std::vector<int>& point_of_node;  ///< per node of the soup: the point as read that it was
-  const TetMesh& mesh;                    ///< of the soup
+  const TetMesh& mesh;                    ///< mesh of the soup
   AppendedRange range;                    ///< where its nodes and tets are in the world's mesh
 };
 

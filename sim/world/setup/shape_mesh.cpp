@@ -48,14 +48,14 @@ Vec3 center_of_mass(const TetMesh& mesh, double volume) {
   return sum / volume;
 }
 
-/// What errors of the mesh name: its file, or what it was to be.
+/// Returns the name of the mesh in errors: its file, or its shape.
 std::string mesh_name(const Scene& scene, const Shape& shape) {
   if (const auto* file = std::get_if<MeshFileShape>(&shape)) return file_path(scene.folder, file->path).string();
   if (const auto* file = std::get_if<SurfaceShape>(&shape)) return file_path(scene.folder, file->path).string();
   return "the shape";
 }
 
-/// The mesh that was given for the shape, in metres; nothing where it has to be read or made.
+/// Returns the mesh that was given for the shape, in meters; empty if it must be read or made.
 std::optional<TetSoup> in_memory_soup(const InMemoryMeshes* given, const Shape& shape) {
   const auto* file = std::get_if<MeshFileShape>(&shape);
   const auto* surface = std::get_if<SurfaceShape>(&shape);

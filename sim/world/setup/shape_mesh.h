@@ -18,12 +18,11 @@ struct ShapeMesh {
   TetSoup soup;                                   ///< prepared
   std::shared_ptr<const TetSoup> filled_surface;  ///< as it was made; null for what is no surface
   std::vector<int> point_of_node;                 ///< per node of the soup: the point as read that it was
-  TetMesh mesh;                                   ///< of the soup
+  TetMesh mesh;                                   ///< mesh of the soup
   std::vector<std::vector<TetId>> pieces;         ///< what holds together through faces
   std::vector<NodeId> slit_tips;                  ///< crack fronts that it has from the start
-  std::vector<ConvexPart>
-      convex_parts;                   ///< of one piece, relative to its center of mass [m]; empty if it is in several
-  std::vector<std::string> findings;  ///< what the user should know of a file
+  std::vector<ConvexPart> convex_parts;  ///< parts of one piece, relative to its center of mass [m]; empty for several
+  std::vector<std::string> findings;     ///< oddities of a file for the user
 };
 
 /// The meshes of a scene's shapes, each read or made once.
@@ -38,7 +37,7 @@ class ShapeMeshes {
   const ShapeMesh& of(const Scene& scene, int scene_body, const Monitor& monitor);
 
  private:
-  /// By what tells most shapes apart.
+  /// Hash of the properties in which most shapes differ.
   struct Hash {
     std::size_t operator()(const Shape& shape) const;
   };

@@ -16,7 +16,7 @@ constexpr double kTolerance = 0.005;
 
 constexpr int kGround = -1;
 
-/// How deep two scene bodies, the first of which may be the ground, are inside one another [m].
+/// Depths of overlap of pairs of scene bodies, the first of which may be the ground [m].
 using Depths = std::map<std::pair<int, int>, double>;
 
 using Boxes = std::vector<Eigen::AlignedBox3d>;
