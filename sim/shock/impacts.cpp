@@ -24,8 +24,9 @@ constexpr double kMicrostepsOfCandidates = 24;
 /// sorting does not pay.
 constexpr double kGridEdge = 0.5;
 constexpr std::size_t kFewPlaces = 64;
-/// Work of a candidate in a microstep, half of them being too far away to be examined, and of a touch [µs].
-constexpr double kCandidateWork = 0.012, kTouchWork = 0.3;
+/// Work of a candidate in a microstep, half of them being too far away to be examined, of a touch, and of a bonded face
+/// [µs].
+constexpr double kCandidateWork = 0.012, kTouchWork = 0.3, kBondWork = 0.03;
 
 /// Returns the undeformed height of the tet behind a side over it [m].
 double height_behind(const Solid& solid, const SurfaceSide& side) {
@@ -84,7 +85,10 @@ Impacts::Impacts(const Solid& solid, std::span<const SurfaceSide> surface, std::
       candidates_(obstacles_.size()),
       element_size_(element_size) {
   for (const SurfaceSide& side : surface) add_side(solid, side);
-  for (const CrackSides& crack : cracks) cracks_.push_back({{}, crack});
+  for (const CrackSides& crack : cracks) {
+    cracks_.push_back({{}, crack});
+    if (std::ranges::any_of(crack.bonds, &Bond::holds)) bonded_.push_back(crack_count() - 1);
+  }
   catch_up();
 }
 
@@ -93,7 +97,7 @@ void Impacts::add_side(const Solid& solid, const SurfaceSide& side) {
   surface_.push_back({side, kDeepest * height_behind(solid, side)});
 }
 
-void Impacts::open(const Solid& solid, const CrackSides& sides) {
+int Impacts::open(const Solid& solid, const CrackSides& sides) {
   cracks_.push_back({{}, sides});
   const auto add = [&](int slot, const std::array<int, 3>& corners) {
     add_side(solid, {slot, 6 - corners[0] - corners[1] - corners[2]});
@@ -102,6 +106,7 @@ void Impacts::open(const Solid& solid, const CrackSides& sides) {
   add(sides.second_slot, sides.second_corners);
   // The new crack is still empty; objects have to get there first.
   listed_until_ = std::min(listed_until_, travelled_ + kReachOfCracks * margin_);
+  return crack_count() - 1;
 }
 
 Impacts::BoxedSurface Impacts::boxed_surface(const Solid& solid) const {
@@ -270,13 +275,15 @@ void Impacts::catch_up() {
 void Impacts::resolve(Solid& solid, double dt, double min_speed) {
   blows_.clear();
   settle_pushed(solid, dt);
+  hold_cracks(solid, dt);
   for (std::size_t i = 0; i < obstacles_.size(); ++i)
     candidates_[i].empty() ? obstacles_[i].wait(dt) : obstacles_[i].move(dt);
   const double displacement = dt * closing_speed(solid);
   travelled_ += displacement;
   if (travelled_ > listed_until_) list_candidates(solid, displacement);
   find_touches(solid);
-  work_ += kCandidateWork * static_cast<double>(candidate_count()) + kTouchWork * static_cast<double>(touches_.size());
+  work_ += kCandidateWork * static_cast<double>(candidate_count()) + kTouchWork * static_cast<double>(touches_.size()) +
+           kBondWork * static_cast<double>(bonded_.size());
   bool any = !touches_.empty();
   for (int round = 0; round < kRounds && any; ++round) {
     any = false;

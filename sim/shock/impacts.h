@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/fracture/cohesion.h"
 #include "sim/geometry/point_grid.h"
 #include "sim/shock/obstacle.h"
 #include "sim/shock/solid.h"
@@ -26,6 +27,7 @@ struct SurfaceLaw {
 struct CrackSides {
   int first_slot = 0, second_slot = 0;
   std::array<int, 3> first_corners{}, second_corners{};
+  std::array<Bond, 3> bonds{};  ///< by corner; forces and openings as they act in the solid
 };
 
 /// Nodes of both sides in the solid.
@@ -56,10 +58,14 @@ class Impacts {
   void resolve(Solid& solid, double dt, double min_speed);
   /// Moves obstacles without contacts to their present positions.
   void catch_up();
-  /// Adds the faces that a crack opened to the surface.
-  void open(const Solid& solid, const CrackSides& sides);
+  /// Adds the faces that a crack opened to the surface. Returns the index of the crack.
+  int open(const Solid& solid, const CrackSides& sides);
+  /// Bonds a corner of a crack.
+  void bond(int crack, int corner, const Bond& bond);
 
   std::span<Obstacle> obstacles() { return obstacles_; }
+  int crack_count() const { return static_cast<int>(cracks_.size()); }
+  const CrackSides& crack(int index) const { return cracks_[index].sides; }
   std::span<const Blow> blows() const { return blows_; }
   /// Returns the work of search and impulses so far, in microseconds of a typical core, counted and not timed.
   double work() const { return work_; }
@@ -67,6 +73,8 @@ class Impacts {
   /// Returns the energy dissipated by impulses in microsteps of `dt` [s] [J]. Each impulse counts at the mean velocity
   /// of its microstep, which ends with the next forces, so the solid must have these.
   double lost(const Solid& solid, double dt);
+  /// Returns the energy that bonds have taken so far [J].
+  double fractured() const { return fractured_; }
 
  private:
   /// Face of the surface. Points deeper behind it than half its tet do not count as behind it [m].
@@ -176,6 +184,8 @@ class Impacts {
   /// Reverts the part of the last motion that `impulse` would have prevented, for `time` [s] of it.
   void take_back(Solid& solid, const Touch& touch, const Vec3& impulse, double time);
   bool push(Solid& solid, Touch& touch, double dt, double min_speed);
+  void hold_cracks(Solid& solid, double dt);
+  void hold(Solid& solid, int first, int second, Bond& bond, double dt);
   void close_cracks(Solid& solid);
   void push_apart(Solid& solid, const NodesOfSides& sides, const Vec3& normal, const Vec3& weights);
   Pushed& pushed(const Solid& solid, int node);
@@ -196,7 +206,8 @@ class Impacts {
   std::vector<Blow> blows_;
   std::vector<Pushed> pushed_;
   std::vector<int> pushed_at_;  ///< per node: index into pushed_, or -1
-  double lost_ = 0, work_ = 0;
+  std::vector<int> bonded_;     ///< indices of cracks with bonds, ascending
+  double lost_ = 0, fractured_ = 0, work_ = 0;
   double element_size_, margin_ = 0;
   double travelled_ = 0;      ///< bound on the total approach of any two objects [m]
   double listed_until_ = -1;  ///< distance up to which the candidates are complete [m]

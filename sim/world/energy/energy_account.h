@@ -19,6 +19,7 @@ struct EnergyAccount {
   double edits = 0;        ///< what a change of material while the scene runs added
   // What is lost.
   double plastic = 0;            ///< work of yielding
+  double fracture = 0;           ///< taken by opening cracks in explicit dynamics
   double contacts = 0;           ///< friction, blows without rebound, rolling
   double material_damping = 0;   ///< Rayleigh's, of the material
   double microstep_damping = 0;  ///< of the highest frequencies, in microsteps
@@ -26,14 +27,15 @@ struct EnergyAccount {
   double hand_over = 0;          ///< bodies that turn rigid, fall asleep, enter or leave microsteps, or are cut
   double scaling = 0;            ///< forces that scaled bodies lack, and what their shape loses when scaling ends
   double limited = 0;            ///< cut off by limits: pushed out overlaps, frozen bodies
-  // Beside the account: cracks open for nothing, and what they release ends as waves among the losses.
+  // Beside the account: implicit and static steps open cracks for nothing.
   double crack_area = 0;       ///< opened so far, one side of each crack [m²]
   double fracture_energy = 0;  ///< what opening it would take, K_Ic² (1 − ν²) / E times the area
 
   double stored() const { return kinetic + elastic; }
   double put_in() const { return start + gravity + loads + supports + projectiles + edits; }
   double lost() const {
-    return plastic + contacts + material_damping + microstep_damping + time_integration + hand_over + scaling + limited;
+    return plastic + fracture + contacts + material_damping + microstep_damping + time_integration + hand_over +
+           scaling + limited;
   }
   double unaccounted() const { return put_in() - stored() - lost(); }
   /// What errors are held against: what came in from each source, whatever went out again by another.

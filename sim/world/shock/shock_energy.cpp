@@ -59,6 +59,7 @@ void ShockRun::book_account() {
   spent.time_integration = first_.time_integration - solid_.half_kick_energy();
   spent.hand_over = first_.hand_over - relieved_energy(false);
   spent.contacts = impacts_->lost(solid_, dt_);
+  spent.fracture = impacts_->fractured();
   spent.microstep_damping = solid_.viscous_work();
   for (const shock::SolidConstraint& held : solid_.constraints()) spent.supports += held.work;
   add_external_works(spent);

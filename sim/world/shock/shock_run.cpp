@@ -58,6 +58,7 @@ void ShockRun::build(std::vector<shock::Obstacle> obstacles) {
   world_.report.relieved_tets = std::max(world_.report.relieved_tets, relieved);
   impacts_.emplace(solid_, surface_of_bodies(), crack_sides(world_, tets_, group_ != 0), std::move(obstacles),
                    surfaces_, size);
+  restore_bonds();
 }
 
 void ShockRun::add_body(const Body& body, const std::vector<Vec3>& external) {
@@ -172,6 +173,7 @@ bool ShockRun::run(double duration, double max_work) {
     if (rebuild_) {
       world_.time = time_;
       work_ += impacts_->work();
+      store_bonds();
       build({impacts_->obstacles().begin(), impacts_->obstacles().end()});
     }
   }
@@ -267,10 +269,14 @@ Mat3 ShockRun::elastic_strain(TetId tet, const Mat3& strain) const {
 
 void ShockRun::finish(double duration) {
   write_back();
+  store_bonds();
   for (const shock::SolidConstraint& held : solid_.constraints())
     world_.nodes.reactions[nodes_[held.node]] =
         held.impulse / (duration * body_of(nodes_[held.node]).shock->similarity);
   if (!opened_.bodies.empty()) part_opened(world_, opened_);
+  std::erase_if(world_.cohesive_faces, [&](const CohesiveFace& known) {
+    return world_.elements.bodies[known.face.first] != world_.elements.bodies[known.face.second];
+  });
   for (Body& body : world_.bodies) {
     if (!is_followed(body)) continue;
     if (!body.rigid) {

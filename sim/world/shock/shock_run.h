@@ -105,6 +105,12 @@ class ShockRun {
               const std::vector<std::array<TetId, 4>>& neighbours);
   void follow_edges(std::span<const EdgeCopy> copies);
   void constrain_again();
+  void bond_copies(NodeId original, std::span<const NodeId> made);
+  double front_stress(NodeId node) const;
+  void bond(const OpenFace& face, int corner, const Bond& bond);
+  void list_crack(int index);
+  void restore_bonds();
+  void store_bonds();
   void update_threshold(int index);
   void bring_up_to_date(std::span<const TetId> tets, const Body& body, std::vector<ElementState>& states);
   void bring_quadratic_up_to_date(std::span<const TetId> tets, const Body& body);
@@ -138,6 +144,7 @@ class ShockRun {
   std::vector<int> local_of_node_, slot_of_tet_;  ///< -1 outside the shock
   std::vector<EdgeId> edges_;                     ///< per edge of the solid
   std::vector<int> local_of_edge_;                ///< -1 outside the shock
+  std::vector<int> crack_of_side_;                ///< crack of the impacts per 4·slot + face; -1: none
   std::vector<long> seen_;                        ///< per slot: microstep at which its state was made
   std::vector<Overload> overloaded_;
   std::vector<TetId> stale_;
