@@ -12,7 +12,7 @@ namespace griffith::app {
 /// A scene of an experiment, with the meshes that no shape makes.
 struct SpecimenScene {
   Scene scene;
-  GivenMeshes meshes;
+  InMemoryMeshes meshes;
 
   World world() const { return World(scene, meshes); }
 };

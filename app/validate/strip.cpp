@@ -43,7 +43,7 @@ Material without_cracks(Material material) {
 Scene strip_scene(const PulledStrip& strip, const Material& material) {
   Scene scene = empty_laboratory();
   scene.simulation.integrator = strip.integrator;
-  scene.simulation.time_step = strip.integrator == Integrator::symplectic_euler ? 1e-4 : 1e-3;
+  scene.simulation.time_step = strip.integrator == Integrator::explicit_ ? 1e-4 : 1e-3;
   BodyDescription body;
   body.shape = NotchedBeamShape{Vec3(2 * kStripHalfHeight, kStripLength, strip.size), kStripNotch,
                                 Vec3::Constant(strip.size), strip.pattern};
@@ -130,7 +130,7 @@ void read_strip(const PulledStrip& strip, const std::string& variant, std::vecto
                       result.advance, 0});
   if (!runs) return;
   readings.push_back({"energy taken / G_c" + held, variant, around(1, 0.05), result.taken});
-  if (strip.integrator == Integrator::implicit_euler) return;  // its steps do not follow waves
+  if (strip.integrator == Integrator::implicit) return;  // its steps do not follow waves
   readings.push_back({"speed / Rayleigh wave speed" + held, variant, {0.2, 0.7}, result.speed});
 }
 
@@ -140,10 +140,10 @@ std::vector<Reading> run_strip(int mesh) {
   for (const double energy : {0.5, 0.8, 1.25, 2.0}) {
     read_strip({Integrator::hybrid, BoxPattern::five_tet, energy, size}, "hybrid, five_tet", readings);
     read_strip({Integrator::hybrid, BoxPattern::kuhn, energy, size}, "hybrid, kuhn", readings);
-    read_strip({Integrator::implicit_euler, BoxPattern::five_tet, energy, size}, "implicit, five_tet", readings);
+    read_strip({Integrator::implicit, BoxPattern::five_tet, energy, size}, "implicit, five_tet", readings);
   }
   for (const double energy : {0.8, 1.25})
-    read_strip({Integrator::symplectic_euler, BoxPattern::five_tet, energy, size}, "explicit, five_tet", readings);
+    read_strip({Integrator::explicit_, BoxPattern::five_tet, energy, size}, "explicit, five_tet", readings);
   return readings;
 }
 

@@ -19,7 +19,7 @@ struct Side {
 void add_sides(const TetMesh& mesh, NodeId node, std::vector<Side>& sides) {
   for (const TetId tet : mesh.stars[node])
     for (int face = 0; face < 4; ++face)
-      if (!mesh.neighbours[tet][face].valid() && mesh.tets[tet][face] != node) sides.push_back({tet, kTetFaces[face]});
+      if (!mesh.neighbors[tet][face].valid() && mesh.tets[tet][face] != node) sides.push_back({tet, kTetFaces[face]});
 }
 
 /// Returns the corners of `second` that coincide with those of a face at rest; false if it has no such face.
@@ -75,7 +75,7 @@ Vec3 linked_area(const TetMesh& mesh, NodeId node, std::span<const std::uint8_t>
   Vec3 area = Vec3::Zero();
   for (std::size_t i = 0; i < star.size(); ++i)
     for (int face = 0; face < 4 && above[i] == 0; ++face) {
-      const TetId next = mesh.neighbours[star[i]][face];
+      const TetId next = mesh.neighbors[star[i]][face];
       if (next.valid() && mesh.tets[star[i]][face] != node && above[index_in(star, next)] != 0)
         area += third_of_face(mesh, star[i], kTetFaces[face]);
     }

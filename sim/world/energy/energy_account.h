@@ -20,11 +20,11 @@ struct EnergyAccount {
   // What is lost.
   double plastic = 0;            ///< work of yielding
   double fracture = 0;           ///< taken by opening cracks in explicit dynamics
-  double contacts = 0;           ///< friction, blows without rebound, rolling
+  double contacts = 0;           ///< friction, impacts without rebound, rolling
   double material_damping = 0;   ///< Rayleigh's, of the material
   double microstep_damping = 0;  ///< of the highest frequencies, in microsteps
   double time_integration = 0;   ///< what the implicit step damps, and how far a step's end is from its middle
-  double hand_over = 0;          ///< bodies that turn rigid, fall asleep, enter or leave microsteps, or are cut
+  double regime_change = 0;      ///< bodies that turn rigid, fall asleep, enter or leave microsteps, or are cut
   double scaling = 0;            ///< forces that scaled bodies lack, and what their shape loses when scaling ends
   double limited = 0;            ///< cut off by limits: pushed out overlaps, frozen bodies
   // Beside the account: implicit and static steps open cracks for nothing.
@@ -34,7 +34,7 @@ struct EnergyAccount {
   double stored() const { return kinetic + elastic; }
   double put_in() const { return start + gravity + loads + supports + projectiles + edits; }
   double lost() const {
-    return plastic + fracture + contacts + material_damping + microstep_damping + time_integration + hand_over +
+    return plastic + fracture + contacts + material_damping + microstep_damping + time_integration + regime_change +
            scaling + limited;
   }
   double unaccounted() const { return put_in() - stored() - lost(); }
