@@ -90,16 +90,16 @@ double ExplicitRun::front_stress(NodeId node) const {
 void ExplicitRun::bond(const OpenFace& face, int corner, const Bond& bond) {
   const int first = crack_of_side_[4 * slot_of_tet_[face.first] + face_of(face.first_corners)];
   if (first < 0) return;  // a slit that was in the mesh from the start holds nothing
-  const explicit_dynamics::CrackSides& crack = impacts_->crack(first);
+  const explicit_dynamics::CrackSides& crack = contacts_->crack(first);
   const bool is_first = crack.first_slot == slot_of_tet_[face.first];
   const std::array<int, 3>& corners = is_first ? crack.first_corners : crack.second_corners;
   const auto place = std::ranges::find(corners, face.first_corners[corner]) - corners.begin();
-  impacts_->bond(first, static_cast<int>(place), bond);
+  contacts_->bond(first, static_cast<int>(place), bond);
 }
 
 /// Notes which crack a face of the bodies is a side of.
 void ExplicitRun::list_crack(int index) {
-  const explicit_dynamics::CrackSides& crack = impacts_->crack(index);
+  const explicit_dynamics::CrackSides& crack = contacts_->crack(index);
   crack_of_side_.resize(4 * tets_.size(), -1);
   crack_of_side_[4 * crack.first_slot + face_of(crack.first_corners)] = index;
   crack_of_side_[4 * crack.second_slot + face_of(crack.second_corners)] = index;
@@ -108,7 +108,7 @@ void ExplicitRun::list_crack(int index) {
 /// Bonds faces as the world knows it. What has opened since the last microsteps has broken so far for nothing.
 void ExplicitRun::restore_bonds() {
   crack_of_side_.assign(4 * tets_.size(), -1);
-  for (int i = 0; i < impacts_->crack_count(); ++i) list_crack(i);
+  for (int i = 0; i < contacts_->crack_count(); ++i) list_crack(i);
   for (const CohesiveFace& known : world_.cohesive_faces) {
     const int first = slot_of_tet_[known.face.first], second = slot_of_tet_[known.face.second];
     if (first < 0 || second < 0) continue;
@@ -128,8 +128,8 @@ void ExplicitRun::restore_bonds() {
 /// Lets the world know of the bonds that hold.
 void ExplicitRun::store_bonds() {
   std::erase_if(world_.cohesive_faces, [&](const CohesiveFace& face) { return slot_of_tet_[face.face.first] >= 0; });
-  for (int i = 0; i < impacts_->crack_count(); ++i) {
-    const explicit_dynamics::CrackSides& crack = impacts_->crack(i);
+  for (int i = 0; i < contacts_->crack_count(); ++i) {
+    const explicit_dynamics::CrackSides& crack = contacts_->crack(i);
     if (std::ranges::none_of(crack.bonds, &Bond::holds)) continue;
     const TetId first = tets_[crack.first_slot], second = tets_[crack.second_slot];
     CohesiveFace face{{first, second, crack.first_corners, crack.second_corners}, crack.bonds};
