@@ -71,7 +71,7 @@ std::uint64_t hash_of_stresses(const WorldState& world) {
 }
 
 std::uint64_t hash_of_separations(const WorldState& world) {
-  static_assert(sizeof(NodeSeparation) == 16 * sizeof(double), "it has no padding");
+  static_assert(sizeof(NodeSeparation) == 18 * sizeof(double), "it has no padding");
   const NodeArrays& nodes = world.nodes;
   FieldHash hash;
   hash.add(nodes.separations).add(nodes.reactions).add(nodes.strength_factors).add(nodes.has_support);
@@ -85,6 +85,10 @@ std::uint64_t hash_of_cracks(const WorldState& world) {
   hash.add(world.nodes.pushed_at).add(world.nodes.overloads).add_real(world.overload_check);
   hash.add(world.splinter_state.open_walls).add(world.splinter_state.attached);
   hash.add_whole(world.crack_events.size());
+  for (const CohesiveFace& face : world.cohesive_faces) {
+    hash.add_whole(face.face.first, face.face.second);
+    for (const Bond& bond : face.bonds) hash.add_real(bond.force, bond.critical, bond.opening);
+  }
   for (const PostponedCrack& crack : world.postponed)
     hash.add_whole(crack.node).add_real(crack.separation.eigenvalue, crack.separation.utilization);
   return hash.value();

@@ -11,6 +11,7 @@
 #include "sim/core/copy_on_write.h"
 #include "sim/core/error.h"
 #include "sim/elasticity/element.h"
+#include "sim/fracture/cohesion.h"
 #include "sim/fracture/node_load_sums.h"
 #include "sim/geometry/convex_hull.h"
 #include "sim/mesh/topology.h"
@@ -173,6 +174,7 @@ struct WorldState {
   double time = 0;  ///< [s]
   std::vector<CrackEvent> crack_events;
   std::vector<PostponedCrack> postponed;
+  std::vector<CohesiveFace> cohesive_faces;  ///< cohesive faces of bodies in explicit dynamics, for full stiffness
   StepReport report;
   std::vector<BodyView> body_views;
   std::vector<ProjectileView> projectile_views;

@@ -114,7 +114,7 @@ double harmful_impact_speed(const WorldState& world, const Body& body) {
 
 double min_breaking_stress(const WorldState& world, const Body& body, bool at_crack_front) {
   const Material& material = world.material_of(body);
-  const double minimum = body.weakest_fraction * resistance(material, at_crack_front, body.element_size);
+  const double minimum = body.weakest_fraction * screening_resistance(material, at_crack_front, body.element_size);
   const bool is_force = material.criterion == FractureCriterion::separation_force;
   return is_force ? minimum / (body.element_size * body.element_size) : minimum;
 }

@@ -19,6 +19,7 @@ struct EnergyAccount {
   double edits = 0;        ///< energy added by changes of material while the scene runs
   // What is lost.
   double plastic = 0;            ///< work of yielding
+  double fracture = 0;           ///< taken by opening cracks in explicit dynamics
   double contacts = 0;           ///< friction, impacts without rebound, rolling
   double material_damping = 0;   ///< Rayleigh's, of the material
   double microstep_damping = 0;  ///< damping of the highest frequencies in microsteps
@@ -26,15 +27,15 @@ struct EnergyAccount {
   double regime_change = 0;      ///< bodies that turn rigid, fall asleep, enter or leave microsteps, or are cut
   double scaling = 0;            ///< forces that scaled bodies lack, and what their shape loses when scaling ends
   double limited = 0;            ///< cut off by limits: pushed out overlaps, frozen bodies
-  // Beside the account: cracks open for nothing, and what they release ends as waves among the losses.
+  // Beside the account: implicit and static steps open cracks for nothing.
   double crack_area = 0;       ///< opened so far, one side of each crack [m²]
   double fracture_energy = 0;  ///< energy of the crack area, K_Ic² (1 − ν²) / E times the area
 
   double stored() const { return kinetic + elastic; }
   double put_in() const { return start + gravity + loads + supports + projectiles + edits; }
   double lost() const {
-    return plastic + contacts + material_damping + microstep_damping + time_integration + regime_change + scaling +
-           limited;
+    return plastic + fracture + contacts + material_damping + microstep_damping + time_integration + regime_change +
+           scaling + limited;
   }
   double unaccounted() const { return put_in() - stored() - lost(); }
   /// Returns the energy that errors are compared with: all that came in from each source, even if it left again.

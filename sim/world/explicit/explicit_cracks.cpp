@@ -73,7 +73,7 @@ float screening_stress(const WorldState& world, NodeId node) {
   if (!world.model->scene.simulation.fracture) return std::numeric_limits<float>::infinity();
   if (world.mesh->stars[node].size() == 1 && world.nodes.has_support[node] == 0)  // a tip: nothing to part
     return std::numeric_limits<float>::infinity();
-  double minimum = resistance_at(world, material, node);
+  double minimum = screening_resistance_at(world, material, node);
   if (const auto& weakness = world.model->weaknesses[body.scene_body]) minimum *= weakness->strength_ratio;
   if (material.criterion == FractureCriterion::separation_force) {
     double area = 0;  // v⁺ is at most half the sum of the tensile forces
@@ -321,9 +321,10 @@ void ExplicitRun::follow(std::span<const NodeCopy> copies, const std::vector<Tet
     for (int face = 0; face < 4; ++face) {
       const TetId was = neighbors[i][face];
       if (!was.valid() || mesh.neighbors[star[i]][face].valid() || was < star[i]) continue;
-      contacts_->open(explicit_bodies_,
-                      crack_sides(mesh, star[i], face, was, slot_of_tet_[star[i]], slot_of_tet_[was]));
+      list_crack(contacts_->open(explicit_bodies_,
+                                 crack_sides(mesh, star[i], face, was, slot_of_tet_[star[i]], slot_of_tet_[was])));
     }
+  for (const auto& [original, made] : parted) bond_copies(original, made);
   for (const TetId tet : star)
     for (const NodeId near : mesh.tets[tet])
       if (world_.nodes.at_crack_front[near]) update_threshold(local(near));

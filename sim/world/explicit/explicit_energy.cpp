@@ -60,6 +60,7 @@ void ExplicitRun::end_account() {
   spent.time_integration = first_.time_integration - explicit_bodies_.half_kick_energy();
   spent.regime_change = first_.regime_change - relieved_energy(false);
   spent.contacts = contacts_->lost(explicit_bodies_, dt_);
+  spent.fracture = contacts_->fractured();
   spent.microstep_damping = explicit_bodies_.viscous_work();
   for (const explicit_dynamics::ExplicitConstraint& held : explicit_bodies_.constraints()) spent.supports += held.work;
   add_external_works(spent);

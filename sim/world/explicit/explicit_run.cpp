@@ -58,6 +58,7 @@ void ExplicitRun::build(std::vector<explicit_dynamics::Obstacle> obstacles) {
   world_.report.relieved_tets = std::max(world_.report.relieved_tets, relieved);
   contacts_.emplace(explicit_bodies_, surface_of_bodies(), crack_sides(world_, tets_, group_ != 0),
                     std::move(obstacles), surfaces_, size);
+  restore_bonds();
 }
 
 void ExplicitRun::add_body(const Body& body, const std::vector<Vec3>& external) {
@@ -173,6 +174,7 @@ bool ExplicitRun::run(double duration, double max_work) {
     if (rebuild_) {
       world_.time = time_;
       work_ += contacts_->work();
+      store_bonds();
       build({contacts_->obstacles().begin(), contacts_->obstacles().end()});
     }
   }
@@ -271,10 +273,14 @@ Mat3 ExplicitRun::elastic_strain(TetId tet, const Mat3& strain) const {
 
 void ExplicitRun::finish(double duration) {
   write_back();
+  store_bonds();
   for (const explicit_dynamics::ExplicitConstraint& held : explicit_bodies_.constraints())
     world_.nodes.reactions[nodes_[held.node]] =
         held.impulse / (duration * body_of(nodes_[held.node]).explicit_state->similarity);
   if (!opened_.bodies.empty()) part_opened(world_, opened_);
+  std::erase_if(world_.cohesive_faces, [&](const CohesiveFace& known) {
+    return world_.elements.bodies[known.face.first] != world_.elements.bodies[known.face.second];
+  });
   for (Body& body : world_.bodies) {
     if (!is_followed(body)) continue;
     if (!body.rigid) {

@@ -109,6 +109,12 @@ class ExplicitRun {
               const std::vector<std::array<TetId, 4>>& neighbors);
   void follow_edges(std::span<const EdgeCopy> copies);
   void constrain_again();
+  void bond_copies(NodeId original, std::span<const NodeId> made);
+  double front_stress(NodeId node) const;
+  void bond(const OpenFace& face, int corner, const Bond& bond);
+  void list_crack(int index);
+  void restore_bonds();
+  void store_bonds();
   void update_threshold(int index);
   void update_linear_states(std::span<const TetId> tets, const Body& body, std::vector<ElementState>& states);
   void update_quadratic_states(std::span<const TetId> tets, const Body& body);
@@ -142,6 +148,7 @@ class ExplicitRun {
   std::vector<int> local_of_node_, slot_of_tet_;         ///< -1 outside explicit dynamics
   std::vector<EdgeId> edges_;                            ///< per explicit edge
   std::vector<int> local_of_edge_;                       ///< -1 outside explicit dynamics
+  std::vector<int> crack_of_side_;                       ///< crack of the impacts per 4·slot + face; -1: none
   std::vector<long> seen_;                               ///< per slot: microstep at which its state was made
   std::vector<Overload> overloaded_;
   std::vector<TetId> stale_;

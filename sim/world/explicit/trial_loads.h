@@ -31,6 +31,8 @@ class TrialLoads {
 
  private:
   void find_state(int slot);
+  double energy_release(int node, const Vec3& normal) const;
+  Corners corners(int slot) const;
 
   const WorldState& world_;
   const explicit_dynamics::ExplicitBodies& explicit_bodies_;

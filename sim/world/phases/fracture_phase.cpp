@@ -5,9 +5,11 @@
 #include <limits>
 #include <set>
 
+#include "sim/fracture/crack_front.h"
 #include "sim/fracture/remesh.h"
 #include "sim/fracture/split.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/corners.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/phases/cracking.h"
 #include "sim/world/phases/separation_phase.h"
@@ -91,6 +93,15 @@ std::vector<std::uint8_t> remesh(WorldState& world, const Body& body, NodeId nod
   return std::move(cut.above);
 }
 
+/// Returns for each tet of a node's star whether it lies on the upper side of the node's plane (1) or not (0).
+std::vector<std::uint8_t> sides_at(const WorldState& world, NodeId node) {
+  const Vec3& normal = world.nodes.separations[node].direction;
+  if (world.nodes.at_crack_front[node] == 0) return tets_above(world.mesh, world.nodes.positions, node, normal);
+  std::vector<Corners> star;
+  for (const TetId tet : world.mesh->stars[node]) star.push_back(corners_of(world.mesh, tet, world.nodes.positions));
+  return sides_of_crack(world.mesh, node, star, normal);
+}
+
 /// Returns the event of a crack. `above`: per tet of the node.
 CrackEvent describe(const WorldState& world, NodeId node, const std::vector<std::uint8_t>& above) {
   const Body& body = body_at(world, node);
@@ -130,16 +141,15 @@ void date_open_faces(WorldState& world, const std::vector<TetId>& parted) {
 bool may_crack(const WorldState& world, NodeId node) {
   const Body& body = body_at(world, node);
   if (is_remeshed(world, body) || world.nodes.has_support[node] != 0) return true;
-  const auto above = tets_above(world.mesh, world.nodes.positions, node, world.nodes.separations[node].direction);
+  const std::vector<std::uint8_t> above = sides_at(world, node);
   return std::ranges::adjacent_find(above, std::ranges::not_equal_to()) != above.end();
 }
 
 bool crack(WorldState& world, NodeId node, Opened& opened) {
   const Body& body = body_at(world, node);
   const Vec3 normal = world.nodes.separations[node].direction;
-  const std::vector<std::uint8_t> above = is_remeshed(world, body)
-                                              ? remesh(world, body, node, normal, opened)
-                                              : tets_above(world.mesh, world.nodes.positions, node, normal);
+  const std::vector<std::uint8_t> above =
+      is_remeshed(world, body) ? remesh(world, body, node, normal, opened) : sides_at(world, node);
   CrackEvent event = describe(world, node, above);
   const SplitResult result =
       split_node(world.mesh.edit(), node, above, world.model->scene.simulation.min_fragment_tets);

@@ -14,9 +14,10 @@ void evaluate_separation(WorldState& world, const Body& body);
 double peak_utilization(const WorldState& world, const Body& body);
 /// Edge length of the cells around a node: that of a cube of six of its tets [m].
 double element_size_at(const WorldState& world, NodeId node);
-/// Returns the resistance of a node of that material, across the planes of uniform strength [Pa], or [N] with the force
-/// criterion.
-double resistance_at(const WorldState& world, const Material& material, NodeId node);
+/// Returns screening_resistance() of a node.
+double screening_resistance_at(const WorldState& world, const Material& material, NodeId node);
+/// Returns the energy that a crack across a plane through a node takes, by the weakness of the body [J/m²].
+double fracture_energy_at(const WorldState& world, NodeId node, const Vec3& normal);
 /// Evaluates nodes under the states of their elements now.
 void evaluate_nodes(WorldState& world, const SeparationInput& input, std::span<const NodeId> nodes, bool averaged);
 /// Returns the data of the separation tensors.

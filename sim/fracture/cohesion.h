@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+
+#include "sim/fracture/crack_front.h"
+
+namespace griffith {
+
+/// Cohesion of the part of an opened face that belongs to one of its corners. Its force falls linearly with the largest
+/// opening so far, from that at which the face opened to 0 (extrinsic law, Camacho & Ortiz 1996; continuous in time,
+/// Papoulia, Sam & Vavasis 2003). It acts against further opening alone, in any mode, and never pushes back: what it
+/// has taken, the area of the crack times G_c in the end, is spent.
+struct Bond {
+  double force = 0;     ///< at no opening [N]; 0: the corner is not open, or the bond is broken
+  double critical = 0;  ///< opening at which it breaks, δ_c = 2 G_c / t₀ [m]
+  double opening = 0;   ///< largest so far [m]
+
+  bool holds() const { return force > 0; }
+  /// Returns the energy that it can still take, ½ F δ_c (1 − δ/δ_c)² [J].
+  double energy_left() const;
+};
+
+/// Returns the mean force of a bond over a time step in which its ends would move apart to `opening` [m] without it
+/// [N]. Each newton takes back `compliance` of that [m/N], > 0. Updates the bond, which takes no more energy than is
+/// left of it: it breaks if that is used up.
+double pull(Bond& bond, double opening, double compliance);
+
+/// Opened face that still holds.
+struct CohesiveFace {
+  OpenFace face;
+  std::array<Bond, 3> bonds;  ///< by corner of the face
+};
+
+}  // namespace griffith
