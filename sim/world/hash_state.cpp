@@ -13,7 +13,7 @@ class FieldHash {
     value_ = hash_values(values, value_);
     return *this;
   }
-  /// Counts, ids and switches.
+  /// Adds counts, ids and flags.
   template <class... Whole>
   FieldHash& add_whole(Whole... values) {
     const std::array<std::int64_t, sizeof...(values)> all = {whole(values)...};
@@ -132,7 +132,7 @@ std::uint64_t hash_of_energy(const WorldState& world) {
   return hash.value();
 }
 
-/// In the order of kStateFields.
+/// Hash functions in the order of kStateFields.
 constexpr std::array<std::uint64_t (*)(const WorldState&), kStateFields.size()> kHashes = {
     [](const WorldState& world) { return hash_with_edges(world.nodes.positions, world.edges.offsets); },
     [](const WorldState& world) { return hash_with_edges(world.nodes.velocities, world.edges.velocities); },

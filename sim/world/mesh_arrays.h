@@ -67,18 +67,18 @@ struct EdgeArrays {
 
   /// Makes room for as many edges; new ones are straight, at rest and without mass.
   void resize(std::size_t count);
-  /// An edge that starts as another one is.
+  /// Appends an edge like another one.
   void append_copy(EdgeId original);
-  /// Size of the arrays [bytes].
+  /// Returns the size of the arrays [bytes].
   std::size_t memory() const { return offsets.size() * (2 * sizeof(Vec3) + sizeof(double) + sizeof(int)); }
 };
 
-/// When each face of a tet was opened by a crack [s]; not a number: never.
+/// Times at which a crack opened each face of a tet [s]; not a number: never.
 using OpenedFaces = std::array<double, 4>;
 constexpr double kNeverOpened = std::numeric_limits<double>::quiet_NaN();
 
-/// Per tet; the rest elements change by remeshing alone. Each array but the strains' stands in each_array(), by which
-/// tets are added.
+/// State of tets. Rest elements change only by remeshing. Each array except those of strains has an entry in
+/// each_array(), through which tets are added.
 struct ElementArrays {
   SharedArray<RestElement> rest_elements;
   SharedArray<ElementState> states;
@@ -96,16 +96,16 @@ struct ElementArrays {
   /// Makes room for strains: before a body enters explicit dynamics, or where a material yields.
   void allow_strains();
   Mat3 plastic_strain(TetId tet) const { return plastic_strains.empty() ? Mat3(Mat3::Zero()) : plastic_strains[tet]; }
-  /// The strain of an element without stress: plastic, and that which scaling made so [-].
+  /// Returns the strain of an element without stress: the plastic strain and that of scaling [-].
   Mat3 stress_free_strain(TetId tet) const {
     return plastic_strains.empty() ? Mat3(Mat3::Zero()) : Mat3(plastic_strains[tet] + similarity_strains[tet]);
   }
 
   /// Makes room for as many tets; new ones have no stress and belong to no body.
   void resize(std::size_t count);
-  /// A tet that starts as another one is.
+  /// Appends a tet like another one.
   void append_copy(TetId original);
-  /// Size of the arrays, but for those that are shared with `beside` [bytes].
+  /// Returns the size of the arrays, without those shared with `beside` [bytes].
   std::size_t memory(const ElementArrays* beside = nullptr) const;
 
   template <class Arrays, class Use>

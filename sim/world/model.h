@@ -23,7 +23,7 @@ struct Model {
   std::vector<int> points;  ///< per node that bodies start with: its index in the mesh of their shape, as built or read
   SplinterSet splinters;
   std::vector<std::vector<HullCorner>> splinter_hulls;  ///< per splinter; empty where they are not what touches
-  std::vector<InputError> findings;  ///< what the user should know about the scene; nothing that keeps it from running
+  std::vector<InputError> findings;  ///< problems of the scene for the user that do not keep it from running
 };
 
 }  // namespace griffith

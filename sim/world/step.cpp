@@ -51,7 +51,7 @@ void fracture(WorldState& world, double substep) {
   open_cracks(world, substep);
 }
 
-/// Contacts and motion of everything but the bodies in explicit dynamics.
+/// Computes contacts and motion of all objects except the bodies in explicit dynamics.
 void move(WorldState& world, double dt) {
   StepTimings& timings = world.report.milliseconds;
   update_supports(world, world.time, dt);

@@ -14,7 +14,7 @@ enum class CounterTotal { sum, largest };
 /// Meaning of a counter above 0.
 enum class CounterConcern { none, warning, error };
 
-/// A number of a step that statistics and the editor show.
+/// Number of a step that statistics and the editor show.
 struct StepCounter {
   std::string_view key;      ///< as in files: "cracks_postponed"
   std::string_view label;    ///< for a person: "Cracks postponed"
@@ -25,7 +25,7 @@ struct StepCounter {
   std::variant<int StepReport::*, double StepReport::*> value;
 };
 
-/// All counters, in the order in which tables show them. A new one is a line here and in StepReport.
+/// Returns all counters, in the order of tables. A new one is a line here and in StepReport.
 std::span<const StepCounter> step_counters();
 
 /// Takes a step into the report of many.

@@ -29,7 +29,7 @@
 
 namespace griffith {
 
-/// A body whose waves are resolved by microsteps (explicit_run.h).
+/// State of a body whose waves are followed by microsteps (explicit_run.h).
 struct ExplicitState {
   double last_event = 0;    ///< time of its last impact or crack [s]
   double impact_speed = 0;  ///< speed of the impact on it [m/s]
@@ -55,11 +55,11 @@ struct Rest {
 struct RigidStart {
   Vec3 velocity = Vec3::Zero(), angular_velocity = Vec3::Zero();
   Vec3 force = Vec3::Zero(), torque = Vec3::Zero();  ///< external, gravity too [N], [N·m]
-  bool rigid = false;                                ///< what is elastic now was woken by contacts
+  bool rigid = false;                                ///< true if contacts made it elastic in the substep
   bool falls = false;                                ///< gravity acted on it: what sleeps at first is not moved by it
 };
 
-/// A connected piece of elastic material and its proxy in the contact world.
+/// Connected piece of elastic material and its proxy in the contact world.
 struct alignas(64) Body {
   // What a step asks of every body, awake or not, in one line of the cache.
   std::optional<ExplicitState> explicit_state;
@@ -72,7 +72,7 @@ struct alignas(64) Body {
   bool asleep = false;        ///< lies still, under whatever stress there is, until something disturbs it
 
   RigidMotion motion;                   ///< mass, momentum and inertia of the nodes now
-  Quat orientation = Quat::Identity();  ///< from the reference shape to now
+  Quat orientation = Quat::Identity();  ///< rotation from the reference shape
   int scene_body = 0;
   std::vector<TetId> tets;    ///< ascending
   std::vector<NodeId> nodes;  ///< ascending, held ones too
@@ -92,9 +92,10 @@ struct alignas(64) Body {
   RigidStart start;                         ///< start of the present substep
   std::vector<ContactLoad> known_contact_loads;  ///< loads on a rigid body when it was found quiescent, by object
   Rest rest;                                     ///< rest of a deformable body
-  double explicit_ended = -std::numeric_limits<double>::infinity();  ///< when it left explicit dynamics [s]
+  double explicit_ended =
+      -std::numeric_limits<double>::infinity();  ///< time at which it last left explicit dynamics [s]
 
-  /// As BodyView::broke_scaled: decides nothing, so that it is not hashed.
+  /// Same as BodyView::broke_scaled: decides nothing, so it is not hashed.
   std::optional<ScaledImpact> broke_scaled;
 
   bool supported() const { return !system->is_free(); }
@@ -110,14 +111,14 @@ struct Projectile {
   SurfaceProperties surface;
 };
 
-/// A shot that has not left yet.
+/// Shot that has not been fired yet.
 struct PendingShot {
   double time = 0;  ///< [s]
   ProjectileBurst burst;
   Projectile projectile;  ///< without an object yet
 };
 
-/// An overloaded node that the budget left whole, as it was then.
+/// Overloaded node that the budget left whole, with its separation at that time.
 struct PostponedCrack {
   NodeId node;
   NodeSeparation separation;
@@ -185,12 +186,12 @@ struct WorldState {
   double last_microstep_work = 0;       ///< Scratch::microstep_work of the last step
   double explicit_overhead = 1;  ///< work of the last substep's explicit dynamics over that of its elements alone [-]
   bool in_equilibrium = false;   ///< static analysis: the last step found it, and nothing was left to crack
-  double overload_check = OverloadHistory::kNever;  ///< when microsteps checked for overload last [s]
+  double overload_check = OverloadHistory::kNever;  ///< time of the last check for overload in microsteps [s]
   double potential_at_start = 0;  ///< potential energy of gravity, including objects launched since [J]
   Scratch scratch;
 
   bool integrates_explicitly() const { return model->scene.simulation.integrator == Integrator::explicit_; }
-  /// Whose proxy this is; invalid for projectiles and the ground.
+  /// Returns the body of a proxy; invalid for projectiles and the ground.
   BodyId body_of(ProxyId proxy) const {
     const auto index = static_cast<std::size_t>(proxy.index());
     return index < body_of_proxy.size() ? body_of_proxy[index] : BodyId();

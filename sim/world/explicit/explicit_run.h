@@ -38,7 +38,7 @@ float screening_stress(const WorldState& world, NodeId node);
 /// Microsteps of bodies in explicit dynamics over a part of a step, from and back to the world.
 class ExplicitRun {
  public:
-  /// `obstacles`: the rigid objects that the bodies of this group may hit, in their present state.
+  /// Prepares the bodies of a group. `obstacles`: the rigid objects that they may hit, in their present state.
   ExplicitRun(WorldState& world, std::vector<explicit_dynamics::Obstacle> obstacles, int group = 0);
 
   /// Makes microsteps for `duration` [s], with contacts and cracks. Returns false, with an invalid state, if they take

@@ -32,7 +32,7 @@ class StepImpacts {
   /// Harmful impact that can be followed without other bodies.
   struct Alone {
     Impact impact;
-    double contact = 0;  ///< from the predicted impact until they touch [s]
+    double contact = 0;  ///< time from the predicted impact to the contact [s]
   };
   bool is_safe(const Impact& impact) const;
   bool goes_alone(const WorldState& world, const Impact& impact) const;

@@ -49,7 +49,7 @@ class Deformation {
     return false;
   }
 
-  /// Puts the rows where these velocities take them.
+  /// Moves the rows by these velocities.
   void place(const NodeVectors& e) {
     for (std::size_t i = 0; i < before_.plastic_strains.size(); ++i)
       world_.elements.plastic_strains[body_.tets[i]] = before_.plastic_strains[i];
@@ -92,7 +92,7 @@ class Deformation {
     energy = at_rest;
   }
 
-  /// h f of the elastic forces where it is.
+  /// Returns h f of the elastic forces at the present positions.
   NodeVectors elastic_impulses() const {
     std::vector<Vec3> forces(world_.nodes.positions.size(), Vec3::Zero());
     add_elastic_forces(world_, body_, forces);

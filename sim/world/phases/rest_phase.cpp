@@ -80,8 +80,8 @@ void update_rest(const WorldState& world, Body& body, double time_step) {
   body.rest = {0, {body.motion.center, body.orientation}, peak};
 }
 
-/// Bodies that never settle: those that loads or moving supports act on, now or later, and all whose motion is followed
-/// explicitly.
+/// Returns the bodies that never settle: those under loads or moving supports, now or later, and all under explicit
+/// integration.
 std::vector<bool> driven_bodies(const WorldState& world) {
   std::vector<bool> driven(world.bodies.size(), world.integrates_explicitly());
   const auto mark = [&](TetId tet) { driven[world.elements.bodies[tet]] = true; };

@@ -84,7 +84,7 @@ void evaluate_fours(WorldState& world, const SeparationInput& input, std::span<c
   }
 }
 
-/// As evaluate_nodes() does, to the bit: nodes in a row of a body whose stars are added up.
+/// Does the same as evaluate_nodes(), to the bit, for consecutive nodes of a body with accumulated loads.
 void take_sums(WorldState& world, const SeparationInput& input, std::span<const NodeId> nodes, bool averaged) {
   evaluate_fours(world, input, nodes, averaged, [&](std::span<const NodeId> four) {
     std::array<NodeLoad, 4> loads;

@@ -9,7 +9,7 @@ namespace griffith {
 
 /// Masses of a body's nodes [kg].
 Eigen::VectorXd masses_of(const WorldState& world, const Body& body);
-/// Turning of a body about its pivot.
+/// Returns the rotation of a body about its pivot.
 Turning turning_of(const WorldState& world, const Body& body, const Pivot& pivot);
 /// Adds the velocities that a spin [rad/s] of the whole body gives its edges.
 void add_spin_to_edges(WorldState& world, const Body& body, const Vec3& spin);

@@ -15,26 +15,27 @@ struct TetCorner {
   int corner = 0;
 };
 
-/// The node at a corner now. `tets`: per tet, its corners.
+/// Returns the present node at a corner. `tets`: per tet, its corners.
 inline NodeId node_at(std::span<const std::array<NodeId, 4>> tets, const TetCorner& place) {
   return tets[place.tet][place.corner];
 }
 
-/// A scene body in its rest space, before anything has broken, for its regions to be looked up in.
+/// Scene body in its rest space, unbroken, in which its regions are evaluated.
 struct RestBody {
   const TetSoup& soup;                    ///< prepared
   const std::vector<int>& point_of_node;  ///< per node of the soup: the point as read that it was
   const TetMesh& mesh;                    ///< mesh of the soup
-  AppendedRange range;                    ///< where its nodes and tets are in the world's mesh
+  AppendedRange range;                    ///< range of its nodes and tets in the world's mesh
 };
 
-/// Per node of the body: 1 where it lies in the region, borders included. Regions name nodes by their number as read.
+/// Returns, per node of the body, 1 if it is in the region, including its boundary. Regions refer to nodes by their
+/// number as read.
 std::vector<std::uint8_t> nodes_in(const RestBody& body, const Region& region);
 
-/// The node of the soup at a corner as the world numbers it.
+/// Returns the number of the soup's node at a corner.
 int soup_node(const RestBody& body, const TetCorner& corner);
 
-/// All corners of all tets at the nodes marked with 1.
+/// Returns all corners of all tets at the nodes marked with 1.
 std::vector<TetCorner> corners_at(const RestBody& body, const std::vector<std::uint8_t>& marked);
 
 }  // namespace griffith

@@ -27,7 +27,7 @@ std::size_t hash_of(const NotchedBeamShape& beam) { return hash_of(beam.size); }
 std::size_t hash_of(const MeshFileShape& file) { return hash_value(file.path); }
 std::size_t hash_of(const SurfaceShape& surface) { return hash_value(surface.path); }
 
-/// A mesh of another size than bodies have is one in other units.
+/// Checks the size of a mesh: an unusual one means other units.
 void check_size(const MeshReport& report, const std::string& name) {
   constexpr double kSmallest = 1e-4, kFarthest = 1e6;  // as the fields of a scene allow [m]
   const double size = (report.maximum - report.minimum).maxCoeff();
