@@ -28,7 +28,7 @@ std::vector<int> grow(const BlockSparseMatrix& matrix, int seed, int aggregate, 
   return members;
 }
 
-/// An aggregate next to these rows other than their own, or -1.
+/// Returns an aggregate next to these rows other than their own, or -1.
 int adjacent_aggregate(const BlockSparseMatrix& matrix, const std::vector<int>& rows,
                        const std::vector<int>& aggregates) {
   for (int row : rows)

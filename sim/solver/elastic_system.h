@@ -58,12 +58,12 @@ class ElasticSystem {
   void patch(const TetMesh& mesh, std::span<const NodeId> body_nodes, std::span<const NodeConstraint> constraints,
              std::span<int> row_of_node);
 
-  /// The body's nodes that are not held, ascending; row i of the system is nodes()[i].
+  /// Returns the body's nodes that are not held, ascending; row i of the system is nodes()[i].
   std::span<const NodeId> nodes() const { return rows_->nodes; }
-  /// The edges of a quadratic body that are not held, ascending; their rows come after those of the nodes.
+  /// Returns the edges of a quadratic body that are not held, ascending; their rows come after those of the nodes.
   std::span<const EdgeId> edges() const { return rows_->edges; }
   int rows() const { return matrix().rows(); }
-  /// The body's constrained nodes, ascending.
+  /// Returns the body's constrained nodes, ascending.
   std::span<const NodeId> supports() const { return support_rows_->nodes; }
   /// True if no node is constrained, so that the body's rigid motion follows from the forces alone.
   bool is_free() const { return supports().empty(); }
@@ -94,10 +94,10 @@ class ElasticSystem {
                               NodeVectors b, NodeVectors& x, const std::function<bool()>& cancelled = {});
   /// Solves it by a factorization; false when that breaks down, and `x` is left alone.
   bool solve_directly(std::span<const NodeConstraint> constraints, NodeVectors b, NodeVectors& x) const;
-  /// The values of nodes() and edges() out of values per node and per edge of the mesh, one column a row; zero for
-  /// edges without values.
+  /// Returns the values of nodes() and edges() out of values per node and per edge of the mesh, one column a row; zero
+  /// for edges without values.
   NodeVectors gather(std::span<const Vec3> values, std::span<const Vec3> of_edges = {}) const;
-  /// The same of masses, per row.
+  /// Returns the masses likewise, per row.
   Eigen::VectorXd gather_masses(std::span<const double> masses, std::span<const double> of_edges) const;
 
   /// Returns the reactions of the supports in the last solve() and add_reactions(), per node of supports(): the force

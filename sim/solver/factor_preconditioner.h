@@ -33,7 +33,8 @@ class FactorPreconditioner {
   /// Returns r·z.
   double apply(const NodeVectors& r, NodeVectors& z) const;
 
-  /// The two halves of apply(): L⁻¹ Pᵀ Rᵀ r, three numbers a row in the order of elimination, and R P L⁻ᵀ of such.
+  /// Return the two halves of apply(): L⁻¹ Pᵀ Rᵀ r, three numbers a row in the order of elimination, and R P L⁻ᵀ of
+  /// such.
   std::vector<double> reduce(const NodeVectors& r) const;
   void expand(std::vector<double> reduced, Eigen::Ref<NodeVectors> z) const;
   /// reduce() of four at once, one a lane.

@@ -46,7 +46,7 @@ simd::Quad cross(simd::Quad turn, simd::Quad arm) {
   return __builtin_shufflevector(product, product, 1, 2, 0, 3);
 }
 
-/// The pattern of the first `count` rows and columns.
+/// Returns the pattern of the first `count` rows and columns.
 BlockSparseMatrix leading_pattern(const BlockSparseMatrix& matrix, int count) {
   BlockSparseMatrix leading;
   for (int row = 0; row < count; ++row) {

@@ -25,8 +25,8 @@ class CopyableCholesky {
 
   /// To be called where the pattern of what factor() takes has changed.
   void forget_pattern() { solver_.reset(); }
-  /// The lower triangle of the factors; null where the matrix, of which the lower triangle counts, is not positive
-  /// definite. Valid until the next call.
+  /// Returns the lower triangle of the factors; null where the matrix, of which the lower triangle counts, is not
+  /// positive definite. Valid until the next call.
   const Eigen::SparseMatrix<double>* factor(const Eigen::SparseMatrix<double>& matrix);
 
  private:

@@ -16,8 +16,8 @@ struct RigidMotion {
   Vec3 velocity_at(const Vec3& position) const { return velocity + angular_velocity.cross(position - center); }
 };
 
-/// The rigid motion with the linear and angular momentum of these nodes: one column or entry a node [m], [m/s], [kg].
-/// They must not all lie on one line.
+/// Returns the rigid motion with the linear and angular momentum of these nodes: one column or entry a node [m], [m/s],
+/// [kg]. They must not all lie on one line.
 RigidMotion rigid_motion(const NodeVectors& positions, const NodeVectors& velocities, const Eigen::VectorXd& masses);
 
 /// Velocities of a point at an arm from the center by the six rigid motions, unit velocities along the axes and unit

@@ -16,9 +16,9 @@ struct WholeMotion {
   double damping = 1;                   ///< 1 + h·alpha, by which mass resists in an implicit step
   bool exists() const { return arms.cols() > 0; }
   Vec3 spin_of(const Eigen::Ref<const NodeVectors>& velocities) const;
-  /// The motion as a whole that has the momentum of these velocities: Q v.
+  /// Returns the motion as a whole that has the momentum of these velocities: Q v.
   NodeVectors part_of(const Eigen::Ref<const NodeVectors>& velocities) const;
-  /// The momentum by which these impulses move the whole: Qᵀ p.
+  /// Returns the momentum by which these impulses move the whole: Qᵀ p.
   NodeVectors momentum_of(const Eigen::Ref<const NodeVectors>& impulses) const;
 };
 

@@ -55,7 +55,7 @@ namespace {
 
 bool is_sphere(const PlacedShape& shape) { return shape.convex->getShapeType() == SPHERE_SHAPE_PROXYTYPE; }
 
-/// A sphere's margin is its radius.
+/// Returns the separation of two spheres, whose margins are their radii.
 Separation separation_of_spheres(const PlacedShape& a, const PlacedShape& b) {
   const Vec3 center = from_bullet(b.transform.getOrigin()), apart = from_bullet(a.transform.getOrigin()) - center;
   const double distance = apart.norm();
