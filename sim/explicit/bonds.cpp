@@ -1,25 +1,44 @@
 #include <algorithm>
+#include <utility>
 
 #include "sim/explicit/microstep_contacts.h"
 
 namespace griffith::explicit_dynamics {
 
-void MicrostepContacts::bond(int crack, int corner, const Bond& bond) {
-  cracks_[crack].sides.bonds[corner] = bond;
-  const auto place = std::ranges::lower_bound(bonded_, crack);
-  if (place == bonded_.end() || *place != crack) bonded_.insert(place, crack);
+/// Lists the bonds that hold, those between the same nodes in sequence.
+void MicrostepContacts::list_bonds(const ExplicitBodies& bodies) {
+  bonds_.clear();
+  for (int index = 0; index < crack_count(); ++index) {
+    const CrackSides& crack = cracks_[index].sides;
+    for (int i = 0; i < 3; ++i) {
+      if (!crack.bonds[i].holds()) continue;
+      const int first = bodies.corner(crack.first_slot, crack.first_corners[i]),
+                second = bodies.corner(crack.second_slot, crack.second_corners[i]);
+      bonds_.push_back({std::min(first, second), std::max(first, second), index, i});
+    }
+  }
+  std::ranges::stable_sort(bonds_, {}, [](const BondedCorner& bond) { return std::pair(bond.first, bond.second); });
+  lists_bonds_ = true;
 }
 
-/// Lets bonds resist the last motion.
+/// Lets bonds resist the last motion. Those between two nodes began when these came apart and have opened alike: they
+/// act as one.
 void MicrostepContacts::hold_cracks(ExplicitBodies& bodies, double dt) {
-  for (const int index : bonded_) {
-    CrackSides& crack = cracks_[index].sides;
-    for (int i = 0; i < 3; ++i)
-      if (crack.bonds[i].holds())
-        hold(bodies, bodies.corner(crack.first_slot, crack.first_corners[i]),
-             bodies.corner(crack.second_slot, crack.second_corners[i]), crack.bonds[i], dt);
+  if (!lists_bonds_) list_bonds(bodies);
+  const auto bond_at = [&](const BondedCorner& at) -> Bond& { return cracks_[at.crack].sides.bonds[at.corner]; };
+  for (auto first = bonds_.begin(); first != bonds_.end();) {
+    const auto last = std::find_if(first, bonds_.end(), [&](const BondedCorner& other) {
+      return other.first != first->first || other.second != first->second;
+    });
+    Bond whole = bond_at(*first);
+    for (auto other = first + 1; other != last; ++other) whole.force += bond_at(*other).force;
+    hold(bodies, first->first, first->second, whole, dt);
+    for (; first != last; ++first) {
+      bond_at(*first).opening = whole.opening;
+      if (!whole.holds()) bond_at(*first) = {};
+    }
   }
-  std::erase_if(bonded_, [&](int index) { return std::ranges::none_of(cracks_[index].sides.bonds, &Bond::holds); });
+  std::erase_if(bonds_, [&](const BondedCorner& at) { return !bond_at(at).holds(); });
 }
 
 /// The impulse belongs to the forces before the last motion, part of which it takes back. The bond takes the energy of

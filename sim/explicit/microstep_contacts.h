@@ -62,7 +62,10 @@ class MicrostepContacts {
   /// Adds the faces that a crack opened to the surface. Returns the index of the crack.
   int open(const ExplicitBodies& bodies, const CrackSides& sides);
   /// Bonds a corner of a crack.
-  void bond(int crack, int corner, const Bond& bond);
+  void bond(int crack, int corner, const Bond& bond) {
+    cracks_[crack].sides.bonds[corner] = bond;
+    lists_bonds_ = false;
+  }
 
   std::span<Obstacle> obstacles() { return obstacles_; }
   int crack_count() const { return static_cast<int>(cracks_.size()); }
@@ -138,6 +141,10 @@ class MicrostepContacts {
   struct WatchedCrack : Watched {
     CrackSides sides;
   };
+  /// Corner of a crack with a bond, and its nodes on both sides.
+  struct BondedCorner {
+    int first = 0, second = 0, crack = 0, corner = 0;
+  };
   /// Effect of impulses on a node in the last microstep.
   struct Pushed {
     int node = 0;
@@ -185,6 +192,7 @@ class MicrostepContacts {
   /// Reverts the part of the last motion that `impulse` would have prevented, for `time` [s] of it.
   void take_back(ExplicitBodies& bodies, const Touch& touch, const Vec3& impulse, double time);
   bool push(ExplicitBodies& bodies, Touch& touch, double dt, double min_speed);
+  void list_bonds(const ExplicitBodies& bodies);
   void hold_cracks(ExplicitBodies& bodies, double dt);
   void hold(ExplicitBodies& bodies, int first, int second, Bond& bond, double dt);
   void close_cracks(ExplicitBodies& bodies);
@@ -206,8 +214,9 @@ class MicrostepContacts {
   std::vector<int> order_;  ///< order of touches, the deepest first
   std::vector<RecordedImpact> recorded_impacts_;
   std::vector<Pushed> pushed_;
-  std::vector<int> pushed_at_;  ///< per node: index into pushed_, or -1
-  std::vector<int> bonded_;     ///< indices of cracks with bonds, ascending
+  std::vector<int> pushed_at_;       ///< per node: index into pushed_, or -1
+  std::vector<BondedCorner> bonds_;  ///< by nodes, as far as `lists_bonds_`
+  bool lists_bonds_ = false;
   double lost_ = 0, fractured_ = 0, work_ = 0;
   double element_size_, margin_ = 0;
   double travelled_ = 0;      ///< bound on the total approach of any two objects [m]

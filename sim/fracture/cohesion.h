@@ -20,9 +20,10 @@ struct Bond {
   double energy_left() const;
 };
 
-/// Returns the mean force of a bond over a time step in which its ends would move apart to `opening` [m] without it
-/// [N]. Each newton takes back `compliance` of that [m/N], > 0. Updates the bond, which takes no more energy than is
-/// left of it: it breaks if that is used up.
+/// Returns the force of a bond at its opening now, which acts on a motion of its ends apart to `opening` [m] [N]. Each
+/// newton takes back `compliance` of that [m/N], > 0; no more is taken back than stops it. Updates the bond, which
+/// breaks in the motion that uses up its energy. By a leapfrog scheme the force works over half of the motion before and
+/// half of that after it; the sum over all motions is the bond's energy to second order.
 double pull(Bond& bond, double opening, double compliance);
 
 /// Opened face that still holds.

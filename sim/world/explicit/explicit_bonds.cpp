@@ -55,8 +55,9 @@ std::vector<PartedCopies> copies_between(const TetMesh& mesh, std::span<const No
 
 }  // namespace
 
-/// Bonds the copies of a node that has just come apart, across the faces between them: at the stress that they carry.
-void ExplicitRun::bond_copies(NodeId original, std::span<const NodeId> made) {
+/// Bonds the copies of a node that has just come apart, across the faces between them: at the stress that they carry,
+/// or that they could carry if it exceeds that `utilization` times.
+void ExplicitRun::bond_copies(NodeId original, std::span<const NodeId> made, double utilization) {
   if (world_.material_of(body_of(original)).criterion != FractureCriterion::strength) return;
   std::vector<NodeId> copies = {original};
   copies.insert(copies.end(), made.begin(), made.end());
@@ -71,7 +72,8 @@ void ExplicitRun::bond_copies(NodeId original, std::span<const NodeId> made) {
     Vec3 force = world_.nodes.masses[pair.first] * world_.nodes.masses[pair.second] / mass * apart;
     const Vec3 normal = turns_[explicit_bodies_.body_of_node(local(pair.first))] * pair.area / area;
     force -= std::min(0.0, force.dot(normal)) * normal;
-    const double stress = std::max(kContinued * force.norm() / area, kLeastStress * front_stress(original));
+    const double stress =
+        std::max(kContinued * force.norm() / (utilization * area), kLeastStress * front_stress(original));
     const double critical = 2 * fracture_energy_at(world_, original, normal) / stress;
     double whole = 0;
     for (const auto& corner : pair.corners) whole += corner.area;

@@ -233,7 +233,7 @@ void ExplicitRun::open(const Overload& overload) {
   if (torn_off) world_.bodies[id].system.reset();
   wait_beside_crack(star, front, transit);
   if (rebuild_) return;
-  follow(std::span(opened_.copies).subspan(first_copy), star, neighbors);
+  follow(overload, std::span(opened_.copies).subspan(first_copy), star, neighbors);
   follow_edges(std::span(opened_.edge_copies).subspan(first_edge_copy));
   if (torn_off) constrain_again();
 }
@@ -288,7 +288,7 @@ void ExplicitRun::follow_edges(std::span<const EdgeCopy> copies) {
 }
 
 /// Splits the explicit nodes like those of the mesh.
-void ExplicitRun::follow(std::span<const NodeCopy> copies, const std::vector<TetId>& star,
+void ExplicitRun::follow(const Overload& overload, std::span<const NodeCopy> copies, const std::vector<TetId>& star,
                          const std::vector<std::array<TetId, 4>>& neighbors) {
   const TetMesh& mesh = world_.mesh;
   local_of_node_.resize(mesh.rest_positions.size(), -1);
@@ -324,7 +324,8 @@ void ExplicitRun::follow(std::span<const NodeCopy> copies, const std::vector<Tet
       list_crack(contacts_->open(explicit_bodies_,
                                  crack_sides(mesh, star[i], face, was, slot_of_tet_[star[i]], slot_of_tet_[was])));
     }
-  for (const auto& [original, made] : parted) bond_copies(original, made);
+  for (const auto& [original, made] : parted)
+    bond_copies(original, made, original == overload.node ? overload.utilization : 1);
   for (const TetId tet : star)
     for (const NodeId near : mesh.tets[tet])
       if (world_.nodes.at_crack_front[near]) update_threshold(local(near));

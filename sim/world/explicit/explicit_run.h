@@ -105,11 +105,11 @@ class ExplicitRun {
   void open(const Overload& overload);
   void wait_beside_crack(const std::vector<TetId>& star, const std::vector<NodeId>& front, double transit);
   std::vector<NodeId> front_among(const std::vector<TetId>& tets) const;
-  void follow(std::span<const NodeCopy> copies, const std::vector<TetId>& star,
+  void follow(const Overload& overload, std::span<const NodeCopy> copies, const std::vector<TetId>& star,
               const std::vector<std::array<TetId, 4>>& neighbors);
   void follow_edges(std::span<const EdgeCopy> copies);
   void constrain_again();
-  void bond_copies(NodeId original, std::span<const NodeId> made);
+  void bond_copies(NodeId original, std::span<const NodeId> made, double utilization);
   double front_stress(NodeId node) const;
   void bond(const OpenFace& face, int corner, const Bond& bond);
   void list_crack(int index);
