@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/solver/conjugate_gradient.h"
 #include "sim/solver/contact_cone.h"
 #include "sim/solver/contact_motion.h"
 #include "sim/solver/contact_preconditioner.h"
+#include "sim/solver/contact_response.h"
 #include "sim/solver/contact_softness.h"
 
 namespace griffith {
@@ -23,14 +23,17 @@ class ContactSolver {
                 std::span<FrictionContact> contacts, const ContactTolerance& tolerance)
       : contacts_(contacts),
         tolerance_(tolerance),
-        bodies_(deformable, rigid),
+        bodies_(deformable, rigid, condense(deformable, contacts)),
         motion_(bodies_, deformable, contacts),
-        preconditioner_(deformable, rigid, contacts),
+        preconditioner_(bodies_, deformable, rigid, contacts),
+        response_(bodies_, motion_, deformable, rigid, contacts, kNewtonFraction * tolerance.relative,
+                  tolerance.max_iterations),
         y_(Eigen::VectorXd::Zero(bodies_.size())),
         a_y_(y_),
         u_(3, contacts.size()),
         impulses_(3, contacts.size()),
-        lifts_(contacts.size()) {
+        lifts_(contacts.size()),
+        beyond_(Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(contacts.size()))) {
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const FrictionContact& contact = contacts[i];
       u_.col(i) = contact.free_velocity;
@@ -47,23 +50,14 @@ class ContactSolver {
   ContactSolveReport solve() {
     for (int round = 0; round < tolerance_.max_rounds; ++round) {
       const Minimum found = minimize();
-      if (next_round() == 0 && found == Minimum::exact) break;
+      if (next_round() == 0 && found == Minimum::exact && respond()) break;
       if (found == Minimum::none) report_.unconverged = static_cast<int>(contacts_.size());
     }
+    if (report_.unconverged > 0) respond();
     for (std::size_t i = 0; i < contacts_.size(); ++i) contacts_[i].impulse = impulses_.col(i);
     return report_;
   }
-  /// What the impulses change in the velocities of a body; the momentum of the whole is exact.
-  NodeVectors change(std::size_t body, const DeformableInertia& inertia) const {
-    NodeVectors change = bodies_.change(body, y_);
-    if (!inertia.matrix || !inertia.whole.exists()) return change;
-    Eigen::VectorXd impulses = Eigen::VectorXd::Zero(bodies_.size());
-    motion_.add_impulses(impulses_, impulses);
-    NodeVectors whole = inertia.whole.momentum_of(bodies_.change(body, impulses));
-    for (Eigen::Index i = 0; i < inertia.whole.masses.size(); ++i)
-      whole.col(i) /= inertia.whole.damping * inertia.whole.masses[i];
-    return change + inertia.whole.part_of(whole - change);
-  }
+  const NodeVectors& change(std::size_t body) const { return response_.change(body); }
 
  private:
   double negligible_speed() const { return std::max(tolerance_.relative * to_change_, tolerance_.negligible_speed); }
@@ -108,6 +102,16 @@ class ContactSolver {
       violations_[i] = violation;
     }
     return report_.unconverged;
+  }
+
+  /// Lets all rows of the bodies respond. False where contacts then do not move as condensed bodies let them: rounds go
+  /// on from where they do.
+  bool respond() {
+    const Eigen::Matrix3Xd beyond = response_.respond(impulses_, y_), change = beyond - beyond_;
+    beyond_ = beyond;
+    u_ += change;
+    report_.unconverged += static_cast<int>((change.colwise().norm().array() > negligible_speed()).count());
+    return report_.unconverged == 0;
   }
 
   enum class Minimum { none, rough, exact };
@@ -227,12 +231,14 @@ class ContactSolver {
   ContactBodies bodies_;
   ContactMotion motion_;
   ContactPreconditioner preconditioner_;
+  ContactResponse response_;
   Eigen::VectorXd y_, a_y_;              // changes of velocity and what they take
   Eigen::Matrix3Xd u_;                   // relative velocities at the contacts
   Eigen::Matrix3Xd impulses_;            // of the round before
   std::vector<double> lifts_;            // friction times sliding speed of the round before [m/s]
   std::vector<double> softness_;         // r of this round [1/kg]
   std::vector<ContactSoftness> course_;  // r over the rounds
+  Eigen::Matrix3Xd beyond_;              // velocities at contacts that condensed bodies have beyond those of y
   std::vector<double> violations_;       // of the round before [m/s]
   Eigen::Matrix3Xd impulses_now_;
   std::vector<Mat3> stiffness_;
@@ -249,26 +255,8 @@ ContactSolveReport solve_contact_problem(std::span<const DeformableInertia> defo
   ContactSolver solver(deformable, rigid, contacts, tolerance);
   const ContactSolveReport report = solver.solve();
   changes.clear();
-  for (std::size_t i = 0; i < deformable.size(); ++i) changes.push_back(solver.change(i, deformable[i]));
+  for (std::size_t i = 0; i < deformable.size(); ++i) changes.push_back(solver.change(i));
   return report;
-}
-
-NodeVectors respond_alone(const DeformableInertia& body, const NodeVectors& impulses, double relative_residual,
-                          int max_iterations) {
-  if (!body.matrix) return impulses * body.masses.cwiseInverse().asDiagonal();
-  NodeVectors rest = impulses, deforming = NodeVectors::Zero(3, impulses.cols());
-  NodeVectors whole = deforming;
-  if (body.whole.exists()) {
-    whole = body.whole.momentum_of(impulses);
-    rest -= whole;
-    for (Eigen::Index i = 0; i < body.whole.masses.size(); ++i)
-      whole.col(i) /= body.whole.damping * body.whole.masses[i];
-    whole = body.whole.part_of(whole);
-  }
-  conjugate_gradient(*body.matrix, {*body.preconditioner, body.factors}, rest, deforming, relative_residual,
-                     std::sqrt(dot(rest, rest)), max_iterations);
-  if (body.whole.exists()) deforming -= body.whole.part_of(deforming);
-  return whole + deforming;
 }
 
 }  // namespace griffith
