@@ -41,7 +41,7 @@ class ContactPreconditioner {
     std::vector<int> touched;                  ///< rows that take part, ascending
     std::optional<CoarseReduction> reduction;  ///< none without a coarse space
     const TouchedInverse* condensed = nullptr;
-    bool has_all_rows = false;                 ///< all take part, joined by the body's matrix
+    bool has_all_rows = false;  ///< all take part, joined by the body's matrix
     int first_touched = 0, first_aggregate = 0;
     int offset = 0;  ///< in the vector of all bodies
     int row_unknown(int row) const;

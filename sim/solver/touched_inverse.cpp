@@ -130,8 +130,7 @@ double TouchedInverse::squared_speed_under(const Eigen::Ref<const Eigen::VectorX
   double largest = 0;
   for (std::size_t i = 0; i < touched_.size(); ++i) {
     largest = std::max(largest, deforming.segment<3>(static_cast<Eigen::Index>(3 * i)).squaredNorm());
-    if (body_.whole.exists())
-      largest = std::max(largest, (whole_at(touched_[i]) * impulses.tail<6>()).squaredNorm());
+    if (body_.whole.exists()) largest = std::max(largest, (whole_at(touched_[i]) * impulses.tail<6>()).squaredNorm());
   }
   return largest;
 }
