@@ -52,6 +52,19 @@ Eigen::MatrixXd inverse_of(Eigen::MatrixXd compliance) {
   return square(transposed_inverse(compliance));
 }
 
+/// Returns vectors, one a row, without the numbers that are zero in all of them. `fours`: four vectors each.
+Eigen::MatrixXd filled_columns(const std::vector<std::vector<simd::WideQuad>>& fours, std::size_t vectors) {
+  const std::size_t size = fours.empty() ? 0 : fours.front().size();
+  std::vector<std::size_t> filled;
+  for (std::size_t i = 0; i < size; ++i)
+    if (std::ranges::any_of(fours, [&](const auto& four) { return simd::any_of(four[i] != 0.0); })) filled.push_back(i);
+  Eigen::MatrixXd columns(static_cast<Eigen::Index>(vectors), static_cast<Eigen::Index>(filled.size()));
+  for (std::size_t j = 0; j < filled.size(); ++j)
+    for (std::size_t i = 0; i < vectors; ++i)
+      columns(i, j) = fours[i / simd::kDoubleLanes][filled[j]][i % simd::kDoubleLanes];
+  return columns;
+}
+
 /// Writes the product of a symmetric matrix and a vector.
 void multiply_symmetric(const Eigen::MatrixXd& matrix, const double* x, double* product) {
   for (Eigen::Index j = 0; j < matrix.cols(); ++j)
@@ -73,15 +86,7 @@ TouchedInverse::TouchedInverse(const DeformableInertia& body, std::vector<int> t
     root_of_inertia_ =
         Eigen::SelfAdjointEigenSolver<Mat3>(body.whole.inverse_inertia / body.whole.damping).operatorSqrt();
   }
-  const std::vector<std::vector<double>> columns = reduce_units();
-  const std::size_t size = columns.empty() ? 0 : columns.front().size();
-  std::vector<std::size_t> filled;  // numbers that impulses on touched rows reach
-  for (std::size_t i = 0; i < size; ++i)
-    if (std::ranges::any_of(columns, [&](const std::vector<double>& column) { return column[i] != 0; }))
-      filled.push_back(i);
-  Eigen::MatrixXd units(static_cast<Eigen::Index>(columns.size()), static_cast<Eigen::Index>(filled.size()));
-  for (std::size_t j = 0; j < filled.size(); ++j)
-    for (std::size_t i = 0; i < columns.size(); ++i) units(i, j) = columns[i][filled[j]];
+  Eigen::MatrixXd units = filled_columns(reduce_units(), 3 * touched_.size());
   compliance_ = square(std::move(units));
   stiffness_ = inverse_of(compliance_);
 }
@@ -99,23 +104,21 @@ RigidModes TouchedInverse::whole_at(int row) const {
   return modes;
 }
 
-/// L⁻¹ of unit impulses on touched rows, without what moves the whole.
-std::vector<std::vector<double>> TouchedInverse::reduce_units() const {
+std::vector<TouchedInverse::FourVectors> TouchedInverse::reduce_units() const {
   constexpr std::size_t kLanes = simd::kDoubleLanes;
-  std::vector<std::vector<double>> columns(3 * touched_.size());
-  for (std::size_t first = 0; first < columns.size(); first += kLanes) {
-    const std::size_t used = std::min(kLanes, columns.size() - first);
-    std::array<NodeVectors, kLanes> units;
-    for (std::size_t lane = 0; lane < used; ++lane) {
-      NodeVectors unit = NodeVectors::Zero(3, body_.rows());
-      unit(static_cast<Eigen::Index>((first + lane) % 3), touched_[(first + lane) / 3]) = 1;
-      units[lane] = body_.whole.exists() ? NodeVectors(unit - body_.whole.momentum_of(unit)) : unit;
+  std::vector<FourVectors> reduced;
+  std::array<NodeVectors, kLanes> units;
+  for (std::size_t first = 0; first < 3 * touched_.size(); first += kLanes) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      units[lane].setZero(3, body_.rows());
+      const std::size_t number = first + lane;
+      if (number >= 3 * touched_.size()) continue;
+      units[lane](static_cast<Eigen::Index>(number % 3), touched_[number / 3]) = 1;
+      if (body_.whole.exists()) units[lane] -= body_.whole.momentum_of(units[lane]);
     }
-    const std::vector<simd::WideQuad> reduced = body_.factors->reduce(units);
-    for (std::size_t lane = 0; lane < used; ++lane)
-      for (const simd::WideQuad& four : reduced) columns[first + lane].push_back(four[lane]);
+    reduced.push_back(body_.factors->reduce(units));
   }
-  return columns;
+  return reduced;
 }
 
 Eigen::VectorXd TouchedInverse::multiply(const Eigen::Ref<const Eigen::VectorXd>& change) const {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/core/lanes.h"
 #include "sim/solver/contact_bodies.h"
 #include "sim/solver/contact_jacobian.h"
 #include "sim/solver/rigid_motion.h"
@@ -40,7 +41,10 @@ class TouchedInverse {
   /// B W^½ of a row, or of a point that only turns with the whole.
   RigidModes whole_at(int row) const;
   RigidModes whole_turning(const Vec3& arm) const;
-  std::vector<std::vector<double>> reduce_units() const;
+  /// Numbers of four vectors.
+  using FourVectors = std::vector<simd::WideQuad>;
+  /// Returns L⁻¹ of unit impulses on touched rows, without what moves the whole.
+  std::vector<FourVectors> reduce_units() const;
 
   const DeformableInertia& body_;
   std::vector<int> touched_;
