@@ -197,7 +197,7 @@ class ContactSolver {
         return inner <= kNewtonFraction * negligible_speed() || missing <= negligible_speed() ? Minimum::exact
                                                                                               : Minimum::rough;
       ++report_.newton_steps;
-      if (!go_along(direction(std::move(residual)))) return Minimum::none;
+      if (!search_along(direction(std::move(residual)))) return Minimum::none;
     }
     return Minimum::none;
   }
@@ -254,7 +254,7 @@ class ContactSolver {
   }
 
   /// Goes to the minimum along a direction; false where that does not lead down.
-  bool go_along(const Eigen::VectorXd& d) {
+  bool search_along(const Eigen::VectorXd& d) {
     Eigen::VectorXd a_d;
     bodies_.multiply(d, a_d);
     const Eigen::Matrix3Xd moved = motion_.of(d);
