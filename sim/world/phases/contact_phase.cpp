@@ -6,6 +6,7 @@
 
 #include "sim/core/parallel.h"
 #include "sim/core/rotation.h"
+#include "sim/solver/contact_response.h"
 #include "sim/solver/rigid_motion.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/contact_views.h"
