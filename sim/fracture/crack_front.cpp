@@ -82,6 +82,22 @@ Vec3 linked_area(const TetMesh& mesh, NodeId node, std::span<const std::uint8_t>
   return area;
 }
 
+/// As sides_of_crack(), with the open faces at the node.
+std::vector<std::uint8_t> sides_along(const TetMesh& mesh, NodeId node, std::span<const Corners> star,
+                                      const Vec3& normal, std::span<const OpenFace> faces) {
+  const Vec3 place = star[0].col(local_corner(mesh, mesh.stars[node][0], node));
+  std::vector<std::uint8_t> above;
+  for (const Corners& tet : star) above.push_back(normal.dot(tet.rowwise().mean() - place) > 0);
+  for (const OpenFace& face : faces) {
+    const auto first = index_in(mesh.stars[node], face.first), second = index_in(mesh.stars[node], face.second);
+    const PlaneSide side = side_of(star[first], face, normal);
+    if (side == PlaneSide::across) continue;
+    above[first] = side == PlaneSide::upper;
+    above[second] = side == PlaneSide::lower;
+  }
+  return above;
+}
+
 }  // namespace
 
 std::vector<OpenFace> open_faces_at(const TetMesh& mesh, std::span<const NodeId> nodes) {
@@ -103,17 +119,7 @@ Vec3 third_of_face(const TetMesh& mesh, TetId tet, const std::array<int, 3>& cor
 
 std::vector<std::uint8_t> sides_of_crack(const TetMesh& mesh, NodeId node, std::span<const Corners> star,
                                          const Vec3& normal) {
-  const Vec3 place = star[0].col(local_corner(mesh, mesh.stars[node][0], node));
-  std::vector<std::uint8_t> above;
-  for (const Corners& tet : star) above.push_back(normal.dot(tet.rowwise().mean() - place) > 0);
-  for (const OpenFace& face : open_faces_at(mesh, std::span(&node, 1))) {
-    const auto first = index_in(mesh.stars[node], face.first), second = index_in(mesh.stars[node], face.second);
-    const PlaneSide side = side_of(star[first], face, normal);
-    if (side == PlaneSide::across) continue;
-    above[first] = side == PlaneSide::upper;
-    above[second] = side == PlaneSide::lower;
-  }
-  return above;
+  return sides_along(mesh, node, star, normal, open_faces_at(mesh, std::span(&node, 1)));
 }
 
 Vec3 corner_force(const RestElement& rest, const ElementState& state, int corner) {
@@ -124,10 +130,12 @@ Vec3 corner_force(const RestElement& rest, const ElementState& state, int corner
 double energy_release_rate(const TetMesh& mesh, NodeId node, std::span<const Corners> star,
                            std::span<const Vec3> forces, const Vec3& normal) {
   const std::vector<TetId>& tets = mesh.stars[node];
-  const std::vector<std::uint8_t> above = sides_of_crack(mesh, node, star, normal);
+  const std::vector<OpenFace> faces = open_faces_at(mesh, std::span(&node, 1));
+  if (faces.empty()) return 0;
+  const std::vector<std::uint8_t> above = sides_along(mesh, node, star, normal, faces);
   Vec3 area = linked_area(mesh, node, above), opening = Vec3::Zero();
   double weight = 0;
-  for (const OpenFace& face : open_faces_at(mesh, std::span(&node, 1))) {
+  for (const OpenFace& face : faces) {
     const Corners &first = star[index_in(tets, face.first)], &second = star[index_in(tets, face.second)];
     const PlaneSide side = side_of(first, face, normal);
     if (side == PlaneSide::across) continue;

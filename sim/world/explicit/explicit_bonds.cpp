@@ -141,4 +141,13 @@ void ExplicitRun::store_bonds() {
   }
 }
 
+/// Drops the bonds between pieces that microsteps do not follow together any more.
+void ExplicitRun::drop_parted_bonds() {
+  const auto is_explicit = [&](BodyId body) { return world_.bodies[body].explicit_state.has_value(); };
+  std::erase_if(world_.cohesive_faces, [&](const CohesiveFace& known) {
+    const BodyId first = world_.elements.bodies[known.face.first], second = world_.elements.bodies[known.face.second];
+    return first != second && !(is_explicit(first) && is_explicit(second));
+  });
+}
+
 }  // namespace griffith

@@ -278,9 +278,6 @@ void ExplicitRun::finish(double duration) {
     world_.nodes.reactions[nodes_[held.node]] =
         held.impulse / (duration * body_of(nodes_[held.node]).explicit_state->similarity);
   if (!opened_.bodies.empty()) part_opened(world_, opened_);
-  std::erase_if(world_.cohesive_faces, [&](const CohesiveFace& known) {
-    return world_.elements.bodies[known.face.first] != world_.elements.bodies[known.face.second];
-  });
   for (Body& body : world_.bodies) {
     if (!is_followed(body)) continue;
     if (!body.rigid) {
@@ -293,6 +290,7 @@ void ExplicitRun::finish(double duration) {
     body.explicit_state.reset();
     body.explicit_ended = time_;
   }
+  drop_parted_bonds();
 }
 
 }  // namespace griffith

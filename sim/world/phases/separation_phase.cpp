@@ -60,8 +60,10 @@ void take_load(const WorldState& world, NodeId node, const CandidatePlane& plane
   if (!by_stress || world.nodes.at_crack_front[node] == 0) return;
   separation.fracture_energy = fracture_energy(material, fraction);
   separation.energy_release = energy_release_at(world, node, plane.normal);
-  separation.utilization =
-      std::max(separation.utilization, std::sqrt(separation.energy_release / separation.fracture_energy));
+  const double by_energy = std::sqrt(separation.energy_release / separation.fracture_energy);
+  if (by_energy <= separation.utilization) return;
+  separation.utilization = by_energy;
+  if (separation.stress > 0) separation.resistance = separation.stress / by_energy;
 }
 
 /// Judges nodes four side by side. loads_of(four): the loads of up to four of them, of which places to spare repeat the
