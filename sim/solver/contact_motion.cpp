@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sim/core/rotation.h"
 #include "sim/solver/conjugate_gradient.h"
@@ -24,11 +25,12 @@ void multiply_body(const DeformableInertia& body, const NodeVectors& v, NodeVect
 
 }  // namespace
 
-ContactBodies::ContactBodies(std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid)
-    : deformable_(deformable), rigid_(rigid) {
-  for (const DeformableInertia& body : deformable) {
+ContactBodies::ContactBodies(std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid,
+                             Condensed condensed)
+    : deformable_(deformable), rigid_(rigid), condensed_(std::move(condensed)) {
+  for (std::size_t i = 0; i < deformable.size(); ++i) {
     offsets_.push_back(size_);
-    size_ += 3 * body.rows();
+    size_ += condensed_[i] ? condensed_[i]->size() : 3 * deformable[i].rows();
   }
   first_rigid_ = size_;
   size_ += 6 * static_cast<int>(rigid.size());
@@ -47,6 +49,7 @@ double ContactBodies::speed_under(const Eigen::VectorXd& impulses) const {
 }
 
 double ContactBodies::squared_speed_of_deformable(std::size_t i, const Eigen::VectorXd& impulses) const {
+  if (condensed_[i]) return condensed_[i]->squared_speed_under(impulses.segment(offsets_[i], condensed_[i]->size()));
   const DeformableInertia& body = deformable_[i];
   double largest = 0;
   NodeVectors of_body = change(i, impulses), z;
@@ -76,6 +79,11 @@ void ContactBodies::multiply(const Eigen::VectorXd& v, Eigen::VectorXd& product)
   product.resize(size_);
   NodeVectors of_body;
   for (std::size_t i = 0; i < deformable_.size(); ++i) {
+    if (condensed_[i]) {
+      const int size = condensed_[i]->size();
+      product.segment(offsets_[i], size) = condensed_[i]->multiply(v.segment(offsets_[i], size));
+      continue;
+    }
     auto segment = product.segment(offsets_[i], 3 * deformable_[i].rows());
     multiply_body(deformable_[i], change(i, v), of_body);
     segment = of_body.reshaped();
@@ -112,6 +120,8 @@ void ContactMotion::add_side(const ContactBodies& bodies, const ContactSide& sid
   if (side.body < 0) return;
   const int offset = bodies.offset(side);
   if (!side.deformable) return local_.add(offset, axes * rigid_modes(side.arm));
+  if (const TouchedInverse* condensed = bodies.condensed(side.body))
+    return condensed->add_side(side, axes, offset, local_);
   for (int i = 0; i < 3; ++i)
     if (const int row = side.point.rows[i]; row >= 0) local_.add(offset + 3 * row, axes * side.point.weights[i]);
   if (!side.offset.isZero(0))

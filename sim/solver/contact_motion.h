@@ -1,23 +1,34 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "sim/solver/contact_bodies.h"
 #include "sim/solver/contact_jacobian.h"
+#include "sim/solver/touched_inverse.h"
 
 namespace griffith {
 
-/// Bodies of a contact problem in one vector: rows of the deformable ones, then six numbers of each rigid one.
+/// Bodies of a contact problem in one vector: rows of the deformable ones, or the unknowns of those that are condensed,
+/// then six numbers of each rigid one.
 class ContactBodies {
  public:
-  ContactBodies(std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid);
+  using Condensed = std::vector<std::optional<TouchedInverse>>;
+
+  /// `condensed`: per deformable body.
+  ContactBodies(std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid,
+                Condensed condensed);
 
   int size() const { return size_; }
   int offset(const ContactSide& side) const {
     return side.deformable ? offsets_[side.body] : first_rigid_ + 6 * side.body;
   }
-  /// Rows of a deformable body, one column each.
+  int first_of_deformable(std::size_t body) const { return offsets_[body]; }
+  int first_of_rigid() const { return first_rigid_; }
+  /// Null where all rows take part.
+  const TouchedInverse* condensed(std::size_t body) const { return condensed_[body] ? &*condensed_[body] : nullptr; }
+  /// Rows of a deformable body that is not condensed, one column each.
   NodeVectors change(std::size_t body, const Eigen::VectorXd& v) const;
 
   /// Returns about the largest speed that impulses would give a node, or a rigid body's mass, without contacts [m/s].
@@ -32,6 +43,7 @@ class ContactBodies {
 
   std::span<const DeformableInertia> deformable_;
   std::span<const RigidInertia> rigid_;
+  Condensed condensed_;
   std::vector<int> offsets_;
   int first_rigid_ = 0, size_ = 0;
 };

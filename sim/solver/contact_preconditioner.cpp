@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/core/sort_unique.h"
+#include "sim/solver/factor_preconditioner.h"
 #include "sim/solver/rigid_motion.h"
 
 namespace griffith {
@@ -61,27 +62,9 @@ void add_symmetric(const Eigen::MatrixXd& block, int first, BlockSparseMatrix& m
       matrix.blocks[matrix.slot(first + i, first + j)] += block.block<3, 3>(3 * i, 3 * j);
 }
 
-/// Collects the rows that contacts touch, per deformable body.
-std::vector<std::vector<int>> touched_rows(std::size_t bodies, std::span<const FrictionContact> contacts) {
-  std::vector<std::vector<int>> touched(bodies);
-  for (const FrictionContact& contact : contacts)
-    for (const ContactSide* side : {&contact.a, &contact.b})
-      if (side->body >= 0 && side->deformable)
-        for (const int row : side->point.rows)
-          if (row >= 0) touched[side->body].push_back(row);
-  for (std::vector<int>& rows : touched) sort_unique(rows);
-  return touched;
-}
-
 Mat3 inverse_diagonal(const DeformableInertia& body, int row) {
   if (body.matrix) return body.preconditioner->inverse_diagonal(row);
   return Mat3::Identity() / body.masses[row];
-}
-
-/// True if the dense matrix of touched rows takes more operations to factor than the sparse one of all rows.
-bool condensing_costs_more(const FactorPreconditioner& factors, std::size_t touched) {
-  const double unknowns = 3 * static_cast<double>(touched);
-  return unknowns * unknowns * unknowns / 3 > static_cast<double>(factors.plan().operations());
 }
 
 std::vector<int> all_rows(const DeformableInertia& body) {
@@ -100,13 +83,19 @@ int ContactPreconditioner::BodyUnknowns::row_unknown(int row) const {
   return first_touched + 3 * static_cast<int>(std::ranges::lower_bound(touched, row) - touched.begin());
 }
 
-ContactPreconditioner::ContactPreconditioner(std::span<const DeformableInertia> deformable,
+ContactPreconditioner::ContactPreconditioner(const ContactBodies& bodies, std::span<const DeformableInertia> deformable,
                                              std::span<const RigidInertia> rigid,
                                              std::span<const FrictionContact> contacts)
-    : deformable_(deformable), rigid_(rigid), bodies_(deformable.size()) {
+    : deformable_(deformable), rigid_(rigid), bodies_(deformable.size()), rigid_offset_(bodies.first_of_rigid()) {
   std::vector<std::vector<int>> touched = touched_rows(deformable.size(), contacts);
-  for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i].touched = std::move(touched[i]);
-  reduce_coarse_spaces();
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    bodies_[i].offset = bodies.first_of_deformable(i);
+    bodies_[i].condensed = bodies.condensed(i);
+    if (bodies_[i].condensed) continue;
+    bodies_[i].has_all_rows = deformable[i].factors && deformable[i].factors->exists();
+    bodies_[i].touched = bodies_[i].has_all_rows ? all_rows(deformable[i]) : std::move(touched[i]);
+    reduce_coarse_space(i);
+  }
   number_unknowns();
   build_jacobian(contacts);
   build_pattern();
@@ -115,35 +104,22 @@ ContactPreconditioner::ContactPreconditioner(std::span<const DeformableInertia> 
   plan_ = std::make_shared<const EliminationPlan>(plan_elimination(matrix_));
 }
 
-void ContactPreconditioner::reduce_coarse_spaces() {
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (const FactorPreconditioner* factors = deformable_[i].factors; factors && factors->exists()) {
-      bodies_[i].has_all_rows = condensing_costs_more(*factors, bodies_[i].touched.size());
-      if (bodies_[i].has_all_rows)
-        bodies_[i].touched = all_rows(deformable_[i]);
-      else
-        bodies_[i].inverse.emplace(deformable_[i], bodies_[i].touched);
-      continue;
-    }
-    if (aggregate_count(deformable_[i]) == 0) continue;
-    const RigidModePreconditioner& modes = *deformable_[i].preconditioner;
-    std::vector<int> aggregates;
-    for (const int row : bodies_[i].touched)
-      if (row < modes.node_rows()) aggregates.push_back(modes.aggregate_of(row));
-    sort_unique(aggregates);
-    bodies_[i].reduction.emplace(modes.coarse_matrix(), aggregates);
-  }
+void ContactPreconditioner::reduce_coarse_space(std::size_t i) {
+  if (bodies_[i].has_all_rows || aggregate_count(deformable_[i]) == 0) return;
+  const RigidModePreconditioner& modes = *deformable_[i].preconditioner;
+  std::vector<int> aggregates;
+  for (const int row : bodies_[i].touched)
+    if (row < modes.node_rows()) aggregates.push_back(modes.aggregate_of(row));
+  sort_unique(aggregates);
+  bodies_[i].reduction.emplace(modes.coarse_matrix(), aggregates);
 }
 
 void ContactPreconditioner::number_unknowns() {
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    BodyUnknowns& body = bodies_[i];
-    body.offset = rigid_offset_;
+  for (BodyUnknowns& body : bodies_) {
     body.first_touched = unknowns_;
     body.first_aggregate = unknowns_ + 3 * static_cast<int>(body.touched.size());
     unknowns_ = body.first_aggregate + (body.reduction ? 6 * body.reduction->kept() : 0);
-    if (body.inverse) unknowns_ = body.first_touched + body.inverse->size();
-    rigid_offset_ += 3 * deformable_[i].rows();
+    if (body.condensed) unknowns_ = body.first_touched + body.condensed->size();
   }
   first_rigid_ = unknowns_;
   unknowns_ += 6 * static_cast<int>(rigid_.size());
@@ -153,22 +129,17 @@ void ContactPreconditioner::add_side(const ContactSide& side, const Mat3& axes) 
   if (side.body < 0) return;
   if (!side.deformable) return jacobian_.add(first_rigid_ + 6 * side.body, axes * rigid_modes(side.arm));
   const BodyUnknowns& body = bodies_[side.body];
+  if (body.condensed) return body.condensed->add_side(side, axes, body.first_touched, jacobian_);
   const DeformableInertia& inertia = deformable_[side.body];
-  const bool has_whole = body.inverse && inertia.whole.exists();
-  RigidModes of_whole =
-      has_whole && !side.offset.isZero(0) ? body.inverse->whole_turning(side.offset) : RigidModes::Zero();
-  of_whole = axes * of_whole;
   for (int i = 0; i < 3; ++i) {
     const int row = side.point.rows[i];
     if (row < 0) continue;
     const Mat3 weight = axes * side.point.weights[i];
     jacobian_.add(body.row_unknown(row), weight);
-    if (has_whole) of_whole += weight * body.inverse->whole_at(row);
     if (!body.reduction || row >= inertia.preconditioner->node_rows()) continue;
     jacobian_.add(body.first_aggregate + 6 * body.reduction->slot(inertia.preconditioner->aggregate_of(row)),
                   weight * rigid_modes(inertia.preconditioner->arm(row)));
   }
-  if (has_whole) jacobian_.add(body.first_aggregate, of_whole);
 }
 
 void ContactPreconditioner::build_jacobian(std::span<const FrictionContact> contacts) {
@@ -190,10 +161,10 @@ void ContactPreconditioner::build_pattern() {
         for (int k = a.row_starts[row]; k < a.row_starts[row + 1]; ++k)
           pattern[first + row].push_back(first + a.columns[k]);
     }
-    if (body.inverse) {
-      const int touched = body.inverse->rows() / 3, whole = body.inverse->size() / 3 - touched;
+    if (body.condensed) {
+      const int touched = body.condensed->rows() / 3, whole = body.condensed->size() / 3 - touched;
       add_blocks(first, touched, first, touched, pattern);
-      add_blocks(first_aggregate, whole, first_aggregate, whole, pattern);
+      add_blocks(first + touched, whole, first + touched, whole, pattern);
     }
     if (!body.reduction) continue;
     const Eigen::SparseMatrix<double>& coarse = body.reduction->matrix();
@@ -212,10 +183,10 @@ void ContactPreconditioner::build_pattern() {
 void ContactPreconditioner::add_inertia() {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const BodyUnknowns& body = bodies_[i];
-    if (body.inverse) {
-      add_symmetric(body.inverse->stiffness(), body.first_touched / 3, matrix_);
-      if (deformable_[i].whole.exists())
-        add_symmetric(Eigen::MatrixXd::Identity(6, 6), body.first_aggregate / 3, matrix_);
+    if (body.condensed) {
+      const int touched = body.condensed->rows(), whole = body.condensed->size() - touched;
+      add_symmetric(body.condensed->stiffness(), body.first_touched / 3, matrix_);
+      add_symmetric(Eigen::MatrixXd::Identity(whole, whole), (body.first_touched + touched) / 3, matrix_);
       continue;
     }
     if (body.has_all_rows) {
@@ -302,12 +273,10 @@ void add_coarse(const RigidModePreconditioner& modes, const Eigen::VectorXd& coa
 void ContactPreconditioner::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) const {
   Eigen::VectorXd reduced = Eigen::VectorXd::Zero(unknowns_);
   std::vector<Eigen::VectorXd> coarse(bodies_.size());
-  std::vector<std::vector<double>> of_factors(bodies_.size());
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const BodyUnknowns& body = bodies_[i];
-    if (body.inverse) {
-      const Eigen::Map<const NodeVectors> of_body(r.data() + body.offset, 3, deformable_[i].rows());
-      reduced.segment(body.first_touched, body.inverse->size()) = body.inverse->restrict(of_body, of_factors[i]);
+    if (body.condensed) {
+      reduced.segment(body.first_touched, body.condensed->size()) = r.segment(body.offset, body.condensed->size());
       continue;
     }
     for (const int row : body.touched) reduced.segment<3>(body.row_unknown(row)) = r.segment<3>(body.offset + 3 * row);
@@ -321,12 +290,11 @@ void ContactPreconditioner::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) 
   z.resize(r.size());
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const BodyUnknowns& body = bodies_[i];
-    auto of_body = z.segment(body.offset, 3 * deformable_[i].rows());
-    if (body.inverse) {
-      body.inverse->extend(solved.segment(body.first_touched, body.inverse->size()), std::move(of_factors[i]),
-                           Eigen::Map<NodeVectors>(of_body.data(), 3, deformable_[i].rows()));
+    if (body.condensed) {
+      z.segment(body.offset, body.condensed->size()) = solved.segment(body.first_touched, body.condensed->size());
       continue;
     }
+    auto of_body = z.segment(body.offset, 3 * deformable_[i].rows());
     for (int row = 0; row < deformable_[i].rows(); ++row)
       of_body.segment<3>(3 * row) = inverse_diagonal(deformable_[i], row) * r.segment<3>(body.offset + 3 * row);
     for (const int row : body.touched) of_body.segment<3>(3 * row) = solved.segment<3>(body.row_unknown(row));

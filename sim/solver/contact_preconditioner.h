@@ -8,8 +8,7 @@
 #include "sim/solver/block_cholesky.h"
 #include "sim/solver/coarse_reduction.h"
 #include "sim/solver/contact_jacobian.h"
-#include "sim/solver/contact_problem.h"
-#include "sim/solver/touched_inverse.h"
+#include "sim/solver/contact_motion.h"
 
 namespace griffith {
 
@@ -22,14 +21,13 @@ namespace griffith {
 /// is factored without the nodes that nothing touches, whose y follows alone, and, where they are few, with the
 /// aggregates alone that contacts touch (CoarseReduction). The number of iterations so depends on
 /// the stiffness of the contacts as little as on that of the bodies (fictitious space lemma: Nepomnyaschikh 1991).
-/// Where a body has factors, its touched rows alone take part, with their Schur complement (TouchedInverse); where so
-/// many are touched that this costs more than the sparse matrix A itself, all rows do, with A.
-/// Rigid bodies are aggregates without local displacements, solved exactly.
+/// Condensed bodies (TouchedInverse) take part with all of their unknowns, bodies that have factors with all of their
+/// rows and A. Rigid bodies are aggregates without local displacements, solved exactly.
 class ContactPreconditioner {
  public:
-  /// Takes the bodies' velocities in one vector: the rows of the deformable ones, then six of each rigid one.
-  ContactPreconditioner(std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid,
-                        std::span<const FrictionContact> contacts);
+  /// `bodies`: those of `deformable` and `rigid` in one vector; all stay.
+  ContactPreconditioner(const ContactBodies& bodies, std::span<const DeformableInertia> deformable,
+                        std::span<const RigidInertia> rigid, std::span<const FrictionContact> contacts);
 
   /// Takes G, one symmetric positive semidefinite block a contact, along its axes [kg]. False where the matrix could
   /// not be factored.
@@ -42,13 +40,13 @@ class ContactPreconditioner {
   struct BodyUnknowns {
     std::vector<int> touched;                  ///< rows that take part, ascending
     std::optional<CoarseReduction> reduction;  ///< none without a coarse space
-    std::optional<TouchedInverse> inverse;     ///< condensed factors of a body that has some
-    bool has_all_rows = false;                 ///< all take part, joined by the body's matrix
+    const TouchedInverse* condensed = nullptr;
+    bool has_all_rows = false;  ///< all take part, joined by the body's matrix
     int first_touched = 0, first_aggregate = 0;
-    int offset = 0;  ///< in the vector of all velocities
+    int offset = 0;  ///< in the vector of all bodies
     int row_unknown(int row) const;
   };
-  void reduce_coarse_spaces();
+  void reduce_coarse_space(std::size_t body);
   void number_unknowns();
   void build_jacobian(std::span<const FrictionContact> contacts);
   void add_side(const ContactSide& side, const Mat3& axes);

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "sim/solver/conjugate_gradient.h"
 #include "sim/solver/contact_cone.h"
 #include "sim/solver/contact_motion.h"
 #include "sim/solver/contact_preconditioner.h"
+#include "sim/solver/contact_response.h"
 #include "sim/solver/contact_softness.h"
+#include "sim/solver/gmres.h"
+#include "sim/solver/zero_of.h"
 
 namespace griffith {
 namespace {
@@ -23,14 +26,17 @@ class ContactSolver {
                 std::span<FrictionContact> contacts, const ContactTolerance& tolerance)
       : contacts_(contacts),
         tolerance_(tolerance),
-        bodies_(deformable, rigid),
+        bodies_(deformable, rigid, condense(deformable, contacts)),
         motion_(bodies_, deformable, contacts),
-        preconditioner_(deformable, rigid, contacts),
+        preconditioner_(bodies_, deformable, rigid, contacts),
+        response_(bodies_, motion_, deformable, rigid, contacts, kNewtonFraction * tolerance.relative,
+                  tolerance.max_iterations),
         y_(Eigen::VectorXd::Zero(bodies_.size())),
         a_y_(y_),
         u_(3, contacts.size()),
         impulses_(3, contacts.size()),
-        lifts_(contacts.size()) {
+        lifts_(contacts.size()),
+        beyond_(Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(contacts.size()))) {
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const FrictionContact& contact = contacts[i];
       u_.col(i) = contact.free_velocity;
@@ -45,25 +51,19 @@ class ContactSolver {
   }
 
   ContactSolveReport solve() {
-    for (int round = 0; round < tolerance_.max_rounds; ++round) {
-      const Minimum found = minimize();
-      if (next_round() == 0 && found == Minimum::exact) break;
+    bool responded = false;
+    for (int round = 0; round < tolerance_.max_rounds && !responded; ++round) {
+      const Minimum found = minimize(round + 1 == tolerance_.max_rounds);
+      const RoundChanges changes = finish_round();
       if (found == Minimum::none) report_.unconverged = static_cast<int>(contacts_.size());
+      if (report_.unconverged == 0 && found == Minimum::exact) responded = respond();
+      if (!responded && found != Minimum::none) begin_round(changes);
     }
+    if (!responded) respond();
     for (std::size_t i = 0; i < contacts_.size(); ++i) contacts_[i].impulse = impulses_.col(i);
     return report_;
   }
-  /// What the impulses change in the velocities of a body; the momentum of the whole is exact.
-  NodeVectors change(std::size_t body, const DeformableInertia& inertia) const {
-    NodeVectors change = bodies_.change(body, y_);
-    if (!inertia.matrix || !inertia.whole.exists()) return change;
-    Eigen::VectorXd impulses = Eigen::VectorXd::Zero(bodies_.size());
-    motion_.add_impulses(impulses_, impulses);
-    NodeVectors whole = inertia.whole.momentum_of(bodies_.change(body, impulses));
-    for (Eigen::Index i = 0; i < inertia.whole.masses.size(); ++i)
-      whole.col(i) /= inertia.whole.damping * inertia.whole.masses[i];
-    return change + inertia.whole.part_of(whole - change);
-  }
+  const NodeVectors& change(std::size_t body) const { return response_.change(body); }
 
  private:
   double negligible_speed() const { return std::max(tolerance_.relative * to_change_, tolerance_.negligible_speed); }
@@ -86,10 +86,19 @@ class ContactSolver {
     return impulses;
   }
 
-  /// Takes over the impulses found; returns how many contacts do not meet their law yet.
-  int next_round() {
+  /// Start of the next round.
+  struct RoundChanges {
+    Eigen::Matrix3Xd pushes;  ///< impulses that the law adds where contacts move as they did
+    Eigen::VectorXd lifts;    ///< found
+    bool hardens = false;     ///< contacts that carry are softer than they have to be
+  };
+
+  /// Takes over the impulses found, and counts the contacts that do not meet their law yet.
+  RoundChanges finish_round() {
     constexpr double kProgress = 0.25, kStiffening = 0.3;
+    RoundChanges changes{Eigen::Matrix3Xd::Zero(3, u_.cols()), Eigen::VectorXd(u_.cols())};
     report_.unconverged = 0;
+    last_change_ = outer_change_;
     outer_change_ = 0;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const Vec3 impulse = project(i, u_.col(i)).impulse, change = impulse - impulses_.col(i);
@@ -98,23 +107,87 @@ class ContactSolver {
       const bool lifts = lifted > negligible_lift(lift);
       outer_change_ = std::max({outer_change_, violation, lifts ? lifted : 0});
       const bool hardens = softness_[i] > course_[i].settled;
+      changes.hardens = changes.hardens || (hardens && !impulse.isZero(0));
       if (violation > negligible_speed() || lifts || (hardens && !impulse.isZero(0))) ++report_.unconverged;
       impulses_.col(i) = impulse;
-      lifts_[i] = lift;
+      changes.lifts[i] = lift;
+      if (!stiffness_.empty()) changes.pushes.col(i) = softness_[i] * stiffness_[i] * change;
       if (hardens)
         softness_[i] = std::max(kStiffening * softness_[i], course_[i].settled);
       else if (violation > std::max(negligible_speed(), kProgress * violations_[i]))
         softness_[i] = std::max(kStiffening * softness_[i], course_[i].least);
       violations_[i] = violation;
     }
-    return report_.unconverged;
+    return changes;
+  }
+
+  /// Starts a round where the last one's linear problem has its minimum under the new impulses and lifts, so that what
+  /// slides goes on sliding. Near the solution lifts are found together with the sliding that they cause (Newton's
+  /// method for all of the law); alone they converge slowly, or not at all, where shards rest on their corners.
+  void begin_round(RoundChanges changes) {
+    constexpr double kNear = 0.1, kContracting = 0.7, kRetry = 0.3;
+    if (changes.hardens) return void(lifts_ = changes.lifts);  // it would begin where softer contacts let them move
+    if (is_coupled_ && outer_change_ > kContracting * last_change_) near_ = kRetry * last_change_;
+    is_coupled_ = outer_change_ < std::min(near_, kNear * to_change_);
+    go(direction(impulses_on_bodies(changes.pushes)));
+    for (std::size_t i = 0; i < contacts_.size(); ++i)
+      if (!impulses_.col(i).isZero(0)) changes.lifts[i] = contacts_[i].friction * u_.col(i).tail<2>().norm();
+    Eigen::VectorXd more = changes.lifts - lifts_;
+    if (is_coupled_) more = (lifts_ + coupled_lifts(more)).cwiseMax(0) - lifts_;
+    go(direction(impulses_on_bodies(impulses_of_lifts(more))));
+    lifts_ += more;
+  }
+
+  /// Impulses that lifts take from contacts which move as they did.
+  Eigen::Matrix3Xd impulses_of_lifts(const Eigen::VectorXd& lifts) const {
+    Eigen::Matrix3Xd impulses(3, lifts.size());
+    for (Eigen::Index i = 0; i < lifts.size(); ++i) impulses.col(i) = -lifts[i] * stiffness_[i].col(0);
+    return impulses;
+  }
+
+  Eigen::VectorXd impulses_on_bodies(const Eigen::Matrix3Xd& impulses) const {
+    Eigen::VectorXd on_bodies = Eigen::VectorXd::Zero(bodies_.size());
+    motion_.add_impulses(impulses, on_bodies);
+    return on_bodies;
+  }
+
+  /// Takes what lifts lack where contacts move as they do; returns what they lack once contacts slide accordingly.
+  Eigen::VectorXd coupled_lifts(const Eigen::VectorXd& missing) const {
+    constexpr double kAccuracy = 0.01;
+    constexpr int kMost = 30;
+    Eigen::Matrix2Xd slope = Eigen::Matrix2Xd::Zero(2, u_.cols());  // of lifts by velocities
+    for (Eigen::Index i = 0; i < u_.cols(); ++i)
+      if (is_sliding(i)) slope.col(i) = contacts_[i].friction * u_.col(i).tail<2>().normalized();
+    const auto multiply = [&](const Eigen::VectorXd& lifts) {
+      Eigen::VectorXd change;
+      preconditioner_.apply(impulses_on_bodies(impulses_of_lifts(lifts)), change);
+      return Eigen::VectorXd(lifts -
+                             slope.cwiseProduct(motion_.of(change).bottomRows<2>()).colwise().sum().transpose());
+    };
+    return gmres(multiply, missing, kAccuracy, kMost);
+  }
+
+  bool is_sliding(Eigen::Index i) const {
+    constexpr double kOfCone = 1 - 1e-6;
+    const double friction = contacts_[i].friction;
+    return impulses_(0, i) > 0 && impulses_.col(i).tail<2>().norm() > kOfCone * friction * impulses_(0, i);
+  }
+
+  /// Lets all rows of the bodies respond. False where contacts then do not move as condensed bodies let them: rounds go
+  /// on from where they do.
+  bool respond() {
+    const Eigen::Matrix3Xd beyond = response_.respond(impulses_, y_), change = beyond - beyond_;
+    beyond_ = beyond;
+    u_ += change;
+    report_.unconverged += static_cast<int>((change.colwise().norm().array() > negligible_speed()).count());
+    return report_.unconverged == 0;
   }
 
   enum class Minimum { none, rough, exact };
   /// Newton's method for one round.
-  Minimum minimize() {
+  Minimum minimize(bool is_last) {
     constexpr double kOfRound = 0.1;  // of what the last round changed: the next one changes as much again
-    const double inner = std::max(kNewtonFraction * negligible_speed(), kOfRound * outer_change_);
+    const double inner = std::max(kNewtonFraction * negligible_speed(), is_last ? 0 : kOfRound * outer_change_);
     for (int step = 0; step < tolerance_.max_newton_steps; ++step) {
       if (!linearize()) return Minimum::none;
       Eigen::VectorXd residual = -a_y_;
@@ -124,7 +197,7 @@ class ContactSolver {
         return inner <= kNewtonFraction * negligible_speed() || missing <= negligible_speed() ? Minimum::exact
                                                                                               : Minimum::rough;
       ++report_.newton_steps;
-      if (!search_along(direction(residual))) return Minimum::none;
+      if (!search_along(direction(std::move(residual)))) return Minimum::none;
     }
     return Minimum::none;
   }
@@ -171,6 +244,15 @@ class ContactSolver {
     return d;
   }
 
+  /// Goes all of a direction.
+  void go(const Eigen::VectorXd& d) {
+    Eigen::VectorXd a_d;
+    bodies_.multiply(d, a_d);
+    y_ += d;
+    a_y_ += a_d;
+    u_ += motion_.of(d);
+  }
+
   /// Goes to the minimum along a direction; false where that does not lead down.
   bool search_along(const Eigen::VectorXd& d) {
     Eigen::VectorXd a_d;
@@ -188,38 +270,6 @@ class ContactSolver {
     return true;
   }
 
-  /// The zero of a function that grows from below 0, beyond 0; 0 where it does not begin below.
-  template <class Slope>
-  static double zero_of(const Slope& slope) {
-    constexpr double kAccuracy = 0.01, kFarthest = 1e6;
-    const double start = slope(0.0);
-    if (!(start < 0)) return 0;
-    double low = 0, low_slope = start, high = 1, high_slope = slope(high);
-    if (std::abs(high_slope) <= kAccuracy * -start) return high;
-    while (high_slope < 0) {  // contacts that let go are softer than they were
-      low = high, low_slope = high_slope;
-      if (high > kFarthest) return high;
-      high *= 4, high_slope = slope(high);
-    }
-    double step = high;
-    int side = 0;
-    for (int i = 0; i < 40; ++i) {  // regula falsi, kept from getting stuck (Illinois: Dowell & Jarratt 1971)
-      step = (low * high_slope - high * low_slope) / (high_slope - low_slope);
-      const double here = slope(step);
-      if (std::abs(here) <= kAccuracy * -start) break;
-      if (here < 0) {
-        low = step, low_slope = here;
-        if (side < 0) high_slope /= 2;
-        side = -1;
-      } else {
-        high = step, high_slope = here;
-        if (side > 0) low_slope /= 2;
-        side = 1;
-      }
-    }
-    return step;
-  }
-
   static double square(double x) { return x * x; }
 
   std::span<FrictionContact> contacts_;
@@ -227,17 +277,21 @@ class ContactSolver {
   ContactBodies bodies_;
   ContactMotion motion_;
   ContactPreconditioner preconditioner_;
+  ContactResponse response_;
   Eigen::VectorXd y_, a_y_;              // changes of velocity and what they take
   Eigen::Matrix3Xd u_;                   // relative velocities at the contacts
   Eigen::Matrix3Xd impulses_;            // of the round before
-  std::vector<double> lifts_;            // friction times sliding speed of the round before [m/s]
+  Eigen::VectorXd lifts_;                // friction times sliding speed, of this round [m/s]
   std::vector<double> softness_;         // r of this round [1/kg]
   std::vector<ContactSoftness> course_;  // r over the rounds
+  Eigen::Matrix3Xd beyond_;              // velocities at contacts that condensed bodies have beyond those of y
   std::vector<double> violations_;       // of the round before [m/s]
   Eigen::Matrix3Xd impulses_now_;
   std::vector<Mat3> stiffness_;
-  double outer_change_ = 0;  // of velocities, by the last round [m/s]
-  double to_change_ = 0;     // largest velocity that contacts have to make [m/s]
+  double outer_change_ = 0, last_change_ = 0;              // of velocities, by the last round and the one before [m/s]
+  bool is_coupled_ = false;                                // lifts of this round are found together with sliding
+  double near_ = std::numeric_limits<double>::infinity();  // change below which that is tried [m/s]
+  double to_change_ = 0;                                   // largest velocity that contacts have to make [m/s]
   ContactSolveReport report_;
 };
 
@@ -249,26 +303,8 @@ ContactSolveReport solve_contact_problem(std::span<const DeformableInertia> defo
   ContactSolver solver(deformable, rigid, contacts, tolerance);
   const ContactSolveReport report = solver.solve();
   changes.clear();
-  for (std::size_t i = 0; i < deformable.size(); ++i) changes.push_back(solver.change(i, deformable[i]));
+  for (std::size_t i = 0; i < deformable.size(); ++i) changes.push_back(solver.change(i));
   return report;
-}
-
-NodeVectors respond_alone(const DeformableInertia& body, const NodeVectors& impulses, double relative_residual,
-                          int max_iterations) {
-  if (!body.matrix) return impulses * body.masses.cwiseInverse().asDiagonal();
-  NodeVectors rest = impulses, deforming = NodeVectors::Zero(3, impulses.cols());
-  NodeVectors whole = deforming;
-  if (body.whole.exists()) {
-    whole = body.whole.momentum_of(impulses);
-    rest -= whole;
-    for (Eigen::Index i = 0; i < body.whole.masses.size(); ++i)
-      whole.col(i) /= body.whole.damping * body.whole.masses[i];
-    whole = body.whole.part_of(whole);
-  }
-  conjugate_gradient(*body.matrix, {*body.preconditioner, body.factors}, rest, deforming, relative_residual,
-                     std::sqrt(dot(rest, rest)), max_iterations);
-  if (body.whole.exists()) deforming -= body.whole.part_of(deforming);
-  return whole + deforming;
 }
 
 }  // namespace griffith

@@ -15,7 +15,7 @@ struct ContactSolveReport {
 
 /// Accuracy of a solve.
 struct ContactTolerance {
-  double relative = 1e-4;          ///< of the largest change of velocity that contacts have to make
+  double relative = 1e-4;          ///< fraction of the largest velocity change required by contacts
   double negligible_speed = 1e-9;  ///< [m/s]
   int max_rounds = 30, max_newton_steps = 60, max_iterations = 400;
 };
@@ -29,15 +29,11 @@ struct ContactTolerance {
 /// line search finds it; conjugate gradients solve its linear systems. γ₀ and the sliding speed |u_t| are those of the
 /// round before: rounds make the contacts rigid however soft r is (augmented Lagrangian: Alart & Curnier 1991), and
 /// keep what slides from lifting off (de Saxcé & Feng 1998; Cadoux's fixed point, Acary et al. 2011).
+/// Bodies with factors take part with the rows that contacts touch alone (TouchedInverse).
 /// Writes the impulses of `contacts`, and `changes` y of the deformable bodies, one column a row [m/s]. The same bits
 /// for any number of threads.
 ContactSolveReport solve_contact_problem(std::span<const DeformableInertia> deformable,
                                          std::span<const RigidInertia> rigid, std::span<FrictionContact> contacts,
                                          const ContactTolerance& tolerance, std::vector<NodeVectors>& changes);
-
-/// Change of the velocities of a body by impulses on its rows alone [N·s]; the momentum of the whole is exact. The rest
-/// stops at a residual of `relative_residual`.
-NodeVectors respond_alone(const DeformableInertia& body, const NodeVectors& impulses, double relative_residual,
-                          int max_iterations);
 
 }  // namespace griffith

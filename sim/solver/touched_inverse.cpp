@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/core/sort_unique.h"
 #include "sim/solver/dense_cholesky.h"
 #include "sim/solver/factor_preconditioner.h"
 
@@ -51,23 +52,43 @@ Eigen::MatrixXd inverse_of(Eigen::MatrixXd compliance) {
   return square(transposed_inverse(compliance));
 }
 
+/// Returns vectors, one a row, without the numbers that are zero in all of them. `fours`: four vectors each.
+Eigen::MatrixXd filled_columns(const std::vector<std::vector<simd::WideQuad>>& fours, std::size_t vectors) {
+  const std::size_t size = fours.empty() ? 0 : fours.front().size();
+  std::vector<std::size_t> filled;
+  for (std::size_t i = 0; i < size; ++i)
+    if (std::ranges::any_of(fours, [&](const auto& four) { return simd::any_of(four[i] != 0.0); })) filled.push_back(i);
+  Eigen::MatrixXd columns(static_cast<Eigen::Index>(vectors), static_cast<Eigen::Index>(filled.size()));
+  for (std::size_t j = 0; j < filled.size(); ++j)
+    for (std::size_t i = 0; i < vectors; ++i)
+      columns(i, j) = fours[i / simd::kDoubleLanes][filled[j]][i % simd::kDoubleLanes];
+  return columns;
+}
+
+/// Writes the product of a symmetric matrix and a vector.
+void multiply_symmetric(const Eigen::MatrixXd& matrix, const double* x, double* product) {
+  for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+    product[j] = dot_product(matrix.col(j).data(), x, static_cast<std::size_t>(matrix.rows()));
+}
+
+/// True if the dense matrix of touched rows takes more operations to factor than the sparse one of all rows.
+bool condensing_costs_more(const FactorPreconditioner& factors, std::size_t touched) {
+  const double unknowns = 3 * static_cast<double>(touched);
+  return unknowns * unknowns * unknowns / 3 > static_cast<double>(factors.plan().operations());
+}
+
 }  // namespace
 
-TouchedInverse::TouchedInverse(const DeformableInertia& body, std::span<const int> touched) : body_(body) {
+TouchedInverse::TouchedInverse(const DeformableInertia& body, std::vector<int> touched)
+    : body_(body), touched_(std::move(touched)) {
   if (body.whole.exists()) {
     root_of_mass_ = std::sqrt(body.whole.inverse_mass / body.whole.damping);
     root_of_inertia_ =
         Eigen::SelfAdjointEigenSolver<Mat3>(body.whole.inverse_inertia / body.whole.damping).operatorSqrt();
   }
-  const std::vector<std::vector<double>> columns = reduce_units(touched);
-  const std::size_t size = columns.empty() ? 0 : columns.front().size();
-  for (std::size_t i = 0; i < size; ++i)
-    if (std::ranges::any_of(columns, [&](const std::vector<double>& column) { return column[i] != 0; }))
-      filled_.push_back(static_cast<int>(i));
-  units_.resize(static_cast<Eigen::Index>(columns.size()), static_cast<Eigen::Index>(filled_.size()));
-  for (std::size_t j = 0; j < filled_.size(); ++j)
-    for (std::size_t i = 0; i < columns.size(); ++i) units_(i, j) = columns[i][filled_[j]];
-  stiffness_ = inverse_of(square(units_));
+  Eigen::MatrixXd units = filled_columns(reduce_units(), 3 * touched_.size());
+  compliance_ = square(std::move(units));
+  stiffness_ = inverse_of(compliance_);
 }
 
 RigidModes TouchedInverse::whole_turning(const Vec3& arm) const {
@@ -83,53 +104,74 @@ RigidModes TouchedInverse::whole_at(int row) const {
   return modes;
 }
 
-NodeVectors TouchedInverse::deforming(const NodeVectors& r) const {
-  return body_.whole.exists() ? NodeVectors(r - body_.whole.momentum_of(r)) : r;
-}
-
-std::vector<std::vector<double>> TouchedInverse::reduce_units(std::span<const int> rows) const {
+std::vector<TouchedInverse::FourVectors> TouchedInverse::reduce_units() const {
   constexpr std::size_t kLanes = simd::kDoubleLanes;
-  std::vector<std::vector<double>> columns(3 * rows.size());
-  for (std::size_t first = 0; first < columns.size(); first += kLanes) {
-    const std::size_t used = std::min(kLanes, columns.size() - first);
-    std::array<NodeVectors, kLanes> units;
-    for (std::size_t lane = 0; lane < used; ++lane) {
-      NodeVectors unit = NodeVectors::Zero(3, body_.rows());
-      unit(static_cast<Eigen::Index>((first + lane) % 3), rows[(first + lane) / 3]) = 1;
-      units[lane] = deforming(unit);
+  std::vector<FourVectors> reduced;
+  std::array<NodeVectors, kLanes> units;
+  for (std::size_t first = 0; first < 3 * touched_.size(); first += kLanes) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      units[lane].setZero(3, body_.rows());
+      const std::size_t number = first + lane;
+      if (number >= 3 * touched_.size()) continue;
+      units[lane](static_cast<Eigen::Index>(number % 3), touched_[number / 3]) = 1;
+      if (body_.whole.exists()) units[lane] -= body_.whole.momentum_of(units[lane]);
     }
-    const std::vector<simd::WideQuad> reduced = body_.factors->reduce(units);
-    for (std::size_t lane = 0; lane < used; ++lane)
-      for (const simd::WideQuad& four : reduced) columns[first + lane].push_back(four[lane]);
+    reduced.push_back(body_.factors->reduce(units));
   }
-  return columns;
+  return reduced;
 }
 
-Eigen::VectorXd TouchedInverse::moved_by(const std::vector<double>& reduced) const {
-  Eigen::VectorXd moved = Eigen::VectorXd::Zero(units_.rows());
-  for (std::size_t j = 0; j < filled_.size(); ++j)
-    for (Eigen::Index i = 0; i < moved.size(); ++i) moved[i] += units_(i, j) * reduced[filled_[j]];
-  return moved;
+Eigen::VectorXd TouchedInverse::multiply(const Eigen::Ref<const Eigen::VectorXd>& change) const {
+  Eigen::VectorXd product = change;
+  multiply_symmetric(stiffness_, change.data(), product.data());
+  return product;
 }
 
-Eigen::VectorXd TouchedInverse::restrict(const NodeVectors& r, std::vector<double>& reduced) const {
-  reduced = body_.factors->reduce(deforming(r));
-  Eigen::VectorXd of_unknowns = Eigen::VectorXd::Zero(size());
-  of_unknowns.head(rows()) = stiffness_ * moved_by(reduced);
-  if (body_.whole.exists())
-    for (int row = 0; row < r.cols(); ++row) of_unknowns.tail<6>() += whole_at(row).transpose() * r.col(row);
-  return of_unknowns;
+double TouchedInverse::squared_speed_under(const Eigen::Ref<const Eigen::VectorXd>& impulses) const {
+  Eigen::VectorXd deforming(rows());
+  multiply_symmetric(compliance_, impulses.data(), deforming.data());
+  double largest = 0;
+  for (std::size_t i = 0; i < touched_.size(); ++i) {
+    largest = std::max(largest, deforming.segment<3>(static_cast<Eigen::Index>(3 * i)).squaredNorm());
+    if (body_.whole.exists()) largest = std::max(largest, (whole_at(touched_[i]) * impulses.tail<6>()).squaredNorm());
+  }
+  return largest;
 }
 
-void TouchedInverse::extend(const Eigen::VectorXd& solved, std::vector<double> reduced,
-                            Eigen::Ref<NodeVectors> z) const {
-  const Eigen::VectorXd force = stiffness_ * (solved.head(rows()) - moved_by(reduced));
-  for (std::size_t j = 0; j < filled_.size(); ++j)
-    reduced[filled_[j]] += dot_product(units_.data() + j * force.size(), force.data(), force.size());
-  body_.factors->expand(std::move(reduced), z);
-  if (!body_.whole.exists()) return;
-  z -= body_.whole.part_of(z);
-  for (int row = 0; row < z.cols(); ++row) z.col(row) += whole_at(row) * solved.tail<6>();
+void TouchedInverse::add_side(const ContactSide& side, const Mat3& axes, int first, ContactJacobian& jacobian) const {
+  const bool has_whole = body_.whole.exists();
+  RigidModes of_whole = RigidModes::Zero();
+  if (has_whole && !side.offset.isZero(0)) of_whole = axes * whole_turning(side.offset);
+  for (int i = 0; i < 3; ++i) {
+    const int row = side.point.rows[i];
+    if (row < 0) continue;
+    const Mat3 weight = axes * side.point.weights[i];
+    jacobian.add(first + 3 * static_cast<int>(std::ranges::lower_bound(touched_, row) - touched_.begin()), weight);
+    if (has_whole) of_whole += weight * whole_at(row);
+  }
+  if (has_whole) jacobian.add(first + rows(), of_whole);
+}
+
+std::vector<std::vector<int>> touched_rows(std::size_t bodies, std::span<const FrictionContact> contacts) {
+  std::vector<std::vector<int>> touched(bodies);
+  for (const FrictionContact& contact : contacts)
+    for (const ContactSide* side : {&contact.a, &contact.b})
+      if (side->body >= 0 && side->deformable)
+        for (const int row : side->point.rows)
+          if (row >= 0) touched[side->body].push_back(row);
+  for (std::vector<int>& rows : touched) sort_unique(rows);
+  return touched;
+}
+
+std::vector<std::optional<TouchedInverse>> condense(std::span<const DeformableInertia> bodies,
+                                                    std::span<const FrictionContact> contacts) {
+  std::vector<std::vector<int>> touched = touched_rows(bodies.size(), contacts);
+  std::vector<std::optional<TouchedInverse>> condensed(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (const FactorPreconditioner* factors = bodies[i].factors;
+        factors && factors->exists() && !condensing_costs_more(*factors, touched[i].size()))
+      condensed[i].emplace(bodies[i], std::move(touched[i]));
+  return condensed;
 }
 
 }  // namespace griffith

@@ -158,6 +158,24 @@ TEST(ContactProblem, TheHeavyRestsOnTheLight) {
   }
 }
 
+/// The end of a rod that slides changes its speed with the impulse that carries it: more than that changes with what
+/// the sliding lifts, so that neither can be found after the other.
+TEST(ContactProblem, ASteepRodSlidesOnItsEnd) {
+  for (const double degrees : {20.0, 40.0, 60.0, 75.0})
+    for (const double speed : {-2.0, 2.0}) {
+      const double angle = degrees * M_PI / 180, half = 0.5;
+      const std::vector<RigidInertia> rod = {{1, half * half / 3 * Mat3::Identity()}};
+      std::vector<FrictionContact> contacts = {
+          on_floor(0, -half * Vec3(std::cos(angle), std::sin(angle), 0), 0.7, Vec3(speed, -1, 0))};
+      std::vector<NodeVectors> changes;
+      const ContactSolveReport report = solve_contact_problem({}, rod, contacts, {}, changes);
+      EXPECT_EQ(report.unconverged, 0) << degrees << "° " << speed;
+      EXPECT_LE(report.newton_steps, 30) << degrees << "° " << speed;
+      const Vec3 change = change_at(rod, contacts, contacts[0].a);
+      expect_laws(contacts[0], contacts[0].free_velocity + contacts[0].axes.transpose() * change, 1e-3, 1e-3);
+    }
+}
+
 /// A box of elastic elements above a floor, about to fall for a step.
 struct FallingBox {
   ElasticBox body;

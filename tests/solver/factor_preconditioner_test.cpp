@@ -6,6 +6,8 @@
 #include "sim/elasticity/quadratic_element.h"
 #include "sim/mesh/tet_edges.h"
 #include "sim/solver/conjugate_gradient.h"
+#include "sim/solver/contact_problem.h"
+#include "sim/solver/contact_response.h"
 #include "sim/solver/dense_cholesky.h"
 #include "sim/solver/touched_inverse.h"
 #include "tests/random_values.h"
@@ -181,43 +183,82 @@ TEST(FactorPreconditioner, GivesTheSameBitsOnAnyNumberOfThreads) {
   EXPECT_EQ(found[0], found[2]);
 }
 
-/// With the same springs at the touched rows, condensation gives what the whole matrix does.
-TEST(TouchedInverse, CondensesTheMatrixExactly) {
-  QuadraticStrip strip(false, Vec3(0.4, 0.05, 0.4));
-  strip.assemble();
-  const DeformableInertia body{.matrix = &strip.system->matrix(),
-                               .preconditioner = &strip.system->preconditioner(),
-                               .whole = strip.whole(),
-                               .factors = strip.system->factors()};
-  const std::vector<int> touched = {0, 3, strip.system->rows() - 1};
-  const TouchedInverse inverse(body, touched);
-  ASSERT_EQ(inverse.size(), 3 * 3 + 6);
-
-  RandomValues random(6);
-  const NodeVectors r = random_columns(random, body.rows());
-  std::vector<double> reduced;
-  const Eigen::VectorXd impulses = inverse.restrict(r, reduced);
-  // Springs of this stiffness between touched rows and the ground: J of the unknowns is [I, B W^½].
-  Eigen::MatrixXd to_rows(9, 15);
-  for (int i = 0; i < 3; ++i) {
-    to_rows.middleRows(3 * i, 3).leftCols(9) = Eigen::MatrixXd::Identity(9, 9).middleRows(3 * i, 3);
-    to_rows.middleRows(3 * i, 3).rightCols(6) = inverse.whole_at(touched[i]);
+/// Contacts of unit axes at rows.
+std::vector<FrictionContact> contacts_at(std::span<const int> rows) {
+  std::vector<FrictionContact> contacts(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    ContactSide& side = contacts[i].a;
+    side.body = 0;
+    side.deformable = true;
+    side.point = {{rows[i], -1, -1}, {Mat3::Identity(), Mat3::Zero(), Mat3::Zero()}};
   }
-  const double spring = 10 * strip.body.masses[NodeId(0)];
-  Eigen::MatrixXd condensed = spring * to_rows.transpose() * to_rows;
-  condensed.topLeftCorner(9, 9) += inverse.stiffness();
-  condensed.bottomRightCorner(6, 6) += Eigen::MatrixXd::Identity(6, 6);
-  NodeVectors z(3, body.rows());
-  inverse.extend(condensed.llt().solve(impulses), reduced, z);
+  return contacts;
+}
 
-  // The body without its whole, and the whole by itself.
-  NodeVectors product;
-  const NodeVectors whole = body.whole.part_of(z);
-  multiply(*body.matrix, z - whole, product);
-  product -= body.whole.momentum_of(product);
-  for (Eigen::Index i = 0; i < body.whole.masses.size(); ++i) product.col(i) += body.whole.masses[i] * whole.col(i);
-  for (const int row : touched) product.col(row) += spring * z.col(row);
-  EXPECT_LT((product - r).norm(), 1e-3 * r.norm());
+/// Impulses on touched rows move them as far as the whole matrix says.
+TEST(TouchedInverse, CondensesTheMatrixExactly) {
+  for (const bool held : {false, true}) {
+    QuadraticStrip strip(held, Vec3(0.4, 0.05, 0.4));
+    strip.assemble();
+    const DeformableInertia body{.matrix = &strip.system->matrix(),
+                                 .preconditioner = &strip.system->preconditioner(),
+                                 .whole = held ? WholeMotion{} : strip.whole(),
+                                 .factors = strip.system->factors()};
+    const std::vector<int> touched = {0, 3, strip.system->rows() - 1};
+    const TouchedInverse inverse(body, touched);
+    ASSERT_EQ(inverse.size(), 3 * 3 + (held ? 0 : 6));
+    ContactJacobian to_rows;
+    for (const FrictionContact& contact : contacts_at(touched)) {
+      inverse.add_side(contact.a, Mat3::Identity(), 0, to_rows);
+      to_rows.finish_contact();
+    }
+    RandomValues random(6);
+    const Eigen::Matrix3Xd impulses = random_columns(random, 3);
+    Eigen::VectorXd on_unknowns = Eigen::VectorXd::Zero(inverse.size());
+    to_rows.add_transposed(impulses, on_unknowns);
+    Eigen::VectorXd change = on_unknowns;
+    change.head(inverse.rows()) = inverse.stiffness().llt().solve(on_unknowns.head(inverse.rows()));
+    EXPECT_LT((inverse.multiply(change) - on_unknowns).norm(), 1e-6 * on_unknowns.norm());
+    const Eigen::Matrix3Xd moved = to_rows.multiply(change);
+
+    NodeVectors on_rows = NodeVectors::Zero(3, body.rows());
+    for (int i = 0; i < 3; ++i) on_rows.col(touched[i]) = impulses.col(i);
+    const NodeVectors exact = respond_alone(body, on_rows, 1e-10, 100);
+    for (int i = 0; i < 3; ++i)
+      EXPECT_LT((moved.col(i) - exact.col(touched[i])).norm(), 1e-3 * exact.col(touched[i]).norm()) << held;
+  }
+}
+
+/// A condensed body answers contacts as it does with all of its rows, however old its factors are.
+TEST(TouchedInverse, ContactsAreThoseOfAllRows) {
+  for (const double bend : {0.0, 5e-3, 2e-2}) {
+    QuadraticStrip strip(false, Vec3(1, 0.05, 0.4));
+    strip.assemble();
+    strip.move([&](const Vec3& place) { return Vec3(place + bend * Vec3(0, place.x() * place.x(), 0)); });
+    strip.assemble();
+    EXPECT_EQ(strip.system->factors()->factorization_count(), 1);
+    const DeformableInertia condensed{.matrix = &strip.system->matrix(),
+                                      .preconditioner = &strip.system->preconditioner(),
+                                      .whole = strip.whole(),
+                                      .factors = strip.system->factors()};
+    DeformableInertia all_rows = condensed;
+    all_rows.factors = nullptr;
+    const ContactTolerance tolerance{.relative = 1e-6, .negligible_speed = 1e-12, .max_iterations = 20000};
+    std::vector<Eigen::Matrix3Xd> impulses;
+    std::vector<NodeVectors> changes;
+    for (const DeformableInertia& body : {condensed, all_rows}) {
+      std::vector<FrictionContact> contacts = contacts_at(std::vector<int>{0, 5, 9, 20});
+      for (FrictionContact& contact : contacts) {
+        contact.axes << Vec3::UnitY(), Vec3::UnitZ(), Vec3::UnitX();
+        contact.friction = 0.4;
+        contact.free_velocity = Vec3(-1, 0.3, 0.1);
+      }
+      EXPECT_EQ(solve_contact_problem({&body, 1}, {}, contacts, tolerance, changes).unconverged, 0) << bend;
+      impulses.emplace_back(3, 4);
+      for (int i = 0; i < 4; ++i) impulses.back().col(i) = contacts[i].impulse;
+    }
+    EXPECT_LT((impulses[0] - impulses[1]).norm(), 1e-3 * impulses[1].norm()) << bend;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,71 @@
+#include "sim/solver/contact_response.h"
+
+#include <cmath>
+#include <utility>
+
+#include "sim/solver/conjugate_gradient.h"
+
+namespace griffith {
+namespace {
+
+ContactBodies::Condensed none_condensed(std::size_t bodies) { return ContactBodies::Condensed(bodies); }
+
+/// Changes of velocity by which the momentum of a whole moves it.
+NodeVectors velocities_of(const WholeMotion& whole, NodeVectors momentum) {
+  for (Eigen::Index i = 0; i < whole.masses.size(); ++i) momentum.col(i) /= whole.damping * whole.masses[i];
+  return momentum;
+}
+
+}  // namespace
+
+ContactResponse::ContactResponse(const ContactBodies& bodies, const ContactMotion& motion,
+                                 std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid,
+                                 std::span<const FrictionContact> contacts, double relative_residual,
+                                 int max_iterations)
+    : bodies_(bodies),
+      motion_(motion),
+      deformable_(deformable),
+      all_rows_(deformable, rigid, none_condensed(deformable.size())),
+      motion_of_all_rows_(all_rows_, deformable, contacts),
+      relative_residual_(relative_residual),
+      max_iterations_(max_iterations),
+      changes_(deformable.size()) {}
+
+Eigen::Matrix3Xd ContactResponse::respond(const Eigen::Matrix3Xd& impulses, const Eigen::VectorXd& y) {
+  Eigen::VectorXd on_rows = Eigen::VectorXd::Zero(all_rows_.size()), all(all_rows_.size());
+  motion_of_all_rows_.add_impulses(impulses, on_rows);
+  for (std::size_t i = 0; i < changes_.size(); ++i) {
+    const NodeVectors on_body = all_rows_.change(i, on_rows);
+    changes_[i] = bodies_.condensed(i) ? respond_alone(deformable_[i], on_body, relative_residual_, max_iterations_)
+                                       : bodies_.change(i, y);
+    all.segment(all_rows_.first_of_deformable(i), changes_[i].size()) = changes_[i].reshaped();
+    if (!bodies_.condensed(i)) make_whole_exact(i, on_body);
+  }
+  all.tail(all.size() - all_rows_.first_of_rigid()) = y.tail(y.size() - bodies_.first_of_rigid());
+  return motion_of_all_rows_.of(all) - motion_.of(y);
+}
+
+void ContactResponse::make_whole_exact(std::size_t i, const NodeVectors& impulses) {
+  const DeformableInertia& body = deformable_[i];
+  if (!body.matrix || !body.whole.exists()) return;
+  const NodeVectors whole = velocities_of(body.whole, body.whole.momentum_of(impulses));
+  changes_[i] += body.whole.part_of(whole - changes_[i]);
+}
+
+NodeVectors respond_alone(const DeformableInertia& body, const NodeVectors& impulses, double relative_residual,
+                          int max_iterations) {
+  if (!body.matrix) return impulses * body.masses.cwiseInverse().asDiagonal();
+  NodeVectors rest = impulses, deforming = NodeVectors::Zero(3, impulses.cols());
+  NodeVectors whole = deforming;
+  if (body.whole.exists()) {
+    const NodeVectors momentum = body.whole.momentum_of(impulses);
+    rest -= momentum;
+    whole = body.whole.part_of(velocities_of(body.whole, momentum));
+  }
+  conjugate_gradient(*body.matrix, {*body.preconditioner, body.factors}, rest, deforming, relative_residual,
+                     std::sqrt(dot(rest, rest)), max_iterations);
+  if (body.whole.exists()) deforming -= body.whole.part_of(deforming);
+  return whole + deforming;
+}
+
+}  // namespace griffith

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/solver/contact_motion.h"
+
+namespace griffith {
+
+/// Changes of the velocities of all rows of deformable bodies by the impulses of a contact problem.
+class ContactResponse {
+ public:
+  /// `bodies`, `motion`: the unknowns of the problem and what contacts feel of them; all stay.
+  ContactResponse(const ContactBodies& bodies, const ContactMotion& motion,
+                  std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid,
+                  std::span<const FrictionContact> contacts, double relative_residual, int max_iterations);
+
+  /// Lets all rows respond to impulses along the axes of contacts, which gave the unknowns the change `y`. Returns the
+  /// relative velocities at contacts that condensed bodies have beyond those of `y`, since their factors are those of
+  /// an earlier matrix.
+  Eigen::Matrix3Xd respond(const Eigen::Matrix3Xd& impulses, const Eigen::VectorXd& y);
+  /// Returns the change of a body's rows by the last call, one column a row [m/s]. The momentum of the whole is exact.
+  const NodeVectors& change(std::size_t body) const { return changes_[body]; }
+
+ private:
+  void make_whole_exact(std::size_t body, const NodeVectors& impulses);
+
+  const ContactBodies& bodies_;
+  const ContactMotion& motion_;
+  std::span<const DeformableInertia> deformable_;
+  ContactBodies all_rows_;
+  ContactMotion motion_of_all_rows_;
+  double relative_residual_;
+  int max_iterations_;
+  std::vector<NodeVectors> changes_;
+};
+
+/// Change of the velocities of a body by impulses on its rows alone [N·s]; the momentum of the whole is exact. The rest
+/// stops at a residual of `relative_residual`.
+NodeVectors respond_alone(const DeformableInertia& body, const NodeVectors& impulses, double relative_residual,
+                          int max_iterations);
+
+}  // namespace griffith
