@@ -6,7 +6,7 @@ import re
 import sys
 
 COVERED = """app ui renderer bindings include examples docs scenes/README.md README.md CONTRIBUTING.md
-sim/core sim/geometry sim/mesh sim/meshing sim/scene sim/recording sim/timeline sim/splinters sim/fracture sim/elasticity sim/shock
+sim/core sim/geometry sim/mesh sim/meshing sim/scene sim/recording sim/timeline sim/splinters sim/fracture sim/elasticity sim/explicit
 tests""".split()
 EXCEPT = ["docs/glossary.md"]
 

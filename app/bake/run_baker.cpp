@@ -59,7 +59,7 @@ RunBaker::RunBaker(const Frame& start, const Scene& scene)
     : scene_(scene),
       shards_(start, scene),
       strength_factors_(strength_factors_at_start(start, scene)),
-      first_neighbors_(start.elements.neighbours.begin(), start.elements.neighbours.end()),
+      first_neighbors_(start.elements.neighbors.begin(), start.elements.neighbors.end()),
       meshes_{mesh_of(start)} {}
 
 void RunBaker::follow(const Frame& frame) {

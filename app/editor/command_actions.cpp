@@ -110,7 +110,7 @@ std::span<const CommandAction> Editor::command_actions() {
       {CommandId::recover, kCall<&Editor::recover>},
       {CommandId::discard_copy, kCall<&Editor::discard_copy>},
       {CommandId::leave_copy, kCall<&Editor::leave_copy>},
-      {CommandId::screenshot, [](Editor& editor, const ui::Command&) { editor.screenshot_wanted_ = true; }},
+      {CommandId::screenshot, [](Editor& editor, const ui::Command&) { editor.screenshot_requested_ = true; }},
       {CommandId::quit, kCall<&Editor::quit>},
   };
   return kActions;

@@ -280,6 +280,6 @@ std::string Editor::title() const {
   return history_.scene().name + (history_.modified() ? " * - Griffith" : " - Griffith");
 }
 
-bool Editor::take_screenshot_request() { return std::exchange(screenshot_wanted_, false); }
+bool Editor::take_screenshot_request() { return std::exchange(screenshot_requested_, false); }
 
 }  // namespace griffith::app

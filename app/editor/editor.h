@@ -377,7 +377,7 @@ class Editor {
   RateMeter pictures_drawn_, time_made_;  ///< pictures per second; simulated time per second
   double made_since_advance_ = 0;         ///< time simulated since the last call of advance() [s]
   bool laid_out_ = false;                 ///< the size of the picture is known
-  bool wants_to_quit_ = false, screenshot_wanted_ = false;
+  bool wants_to_quit_ = false, screenshot_requested_ = false;
   std::optional<Script> requested_script_;
   std::filesystem::path macro_folder_;
   std::vector<std::filesystem::path> macros_;  ///< macros in that folder, sorted

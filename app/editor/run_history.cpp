@@ -28,7 +28,7 @@ constexpr FrameNumber kFrameNumbers[] = {
     {"milliseconds.elasticity", "Elasticity time", "ms",
      [](const Frame& frame) { return frame.report.milliseconds.elasticity; }},
     {"milliseconds.shock", "Explicit dynamics time", "ms",
-     [](const Frame& frame) { return frame.report.milliseconds.shock; }},
+     [](const Frame& frame) { return frame.report.milliseconds.explicit_dynamics; }},
     {"milliseconds.separation", "Separation time", "ms",
      [](const Frame& frame) { return frame.report.milliseconds.separation; }},
     {"milliseconds.fracture", "Fracture time", "ms",
@@ -69,14 +69,14 @@ std::vector<double> values_in(const Frame& frame) {
 }
 
 /// A branch on the path to another, with its last step on that path.
-struct Stretch {
+struct BranchSpan {
   int branch = 0;
   std::int64_t last_step = 0;
 };
 
 /// Returns the path from the oldest ancestor to the branch itself.
-std::vector<Stretch> way_to(std::span<const Branch> branches, int branch) {
-  std::vector<Stretch> way;
+std::vector<BranchSpan> way_to(std::span<const Branch> branches, int branch) {
+  std::vector<BranchSpan> way;
   for (std::int64_t last = branches[branch].last_step; branch >= 0; branch = branches[branch].parent) {
     way.push_back({branch, last});
     last = std::min(last, branches[branch].first_step);
@@ -128,10 +128,10 @@ ui::RunCurves RunHistory::curves(const Timeline& timeline, const ui::PlotChoice&
     columns.push_back(static_cast<std::size_t>(series - series_.begin()));
     curves.curves.push_back({*series, slot, {}});
   }
-  for (const Stretch& stretch : way_to(timeline.branches(), timeline.branch())) {
-    if (static_cast<std::size_t>(stretch.branch) >= branches_.size()) continue;
-    for (const Row& row : branches_[stretch.branch]) {
-      if (row.step > stretch.last_step) break;
+  for (const BranchSpan& span : way_to(timeline.branches(), timeline.branch())) {
+    if (static_cast<std::size_t>(span.branch) >= branches_.size()) continue;
+    for (const Row& row : branches_[span.branch]) {
+      if (row.step > span.last_step) break;
       curves.steps.push_back(row.step);
       curves.times.push_back(row.time);
       for (std::size_t i = 0; i < columns.size(); ++i) curves.curves[i].values.push_back(row.values[columns[i]]);

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 constexpr std::int64_t kMaxBytes = 64 << 20;
 
 std::string topic_of(const Scene& scene) {
-  if (scene.analysis == Analysis::equilibrium) return "In equilibrium";
+  if (scene.analysis == Analysis::static_) return "In equilibrium";
   const auto filled = [](const BodyDescription& body) { return std::holds_alternative<SurfaceShape>(body.shape); };
   if (std::ranges::any_of(scene.bodies, filled)) return "Filled surfaces";
   const auto splinters = [](const BodyDescription& body) { return body.splinters.has_value(); };

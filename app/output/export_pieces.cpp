@@ -44,7 +44,7 @@ void add_splinters(std::span<PieceSurface> surfaces, const Frame& frame, const s
 void add_tet(PieceSurface& surface, const Frame& frame, TetId tet, bool cracks_only) {
   for (int face = 0; face < 4; ++face) {
     const bool at_first = frame.elements.first_surface[tet] >> face & 1;
-    if (frame.elements.neighbours[tet][face].valid() || (cracks_only && at_first)) continue;
+    if (frame.elements.neighbors[tet][face].valid() || (cracks_only && at_first)) continue;
     std::array<Vec3, 3> points;
     for (int i = 0; i < 3; ++i) points[i] = frame.nodes.positions[frame.elements.tets[tet][kTetFaces[face][i]]];
     add_polygon(surface, points, at_first ? Look::outside : Look::inside);

@@ -115,7 +115,7 @@ void RunStatistics::add(const Frame& frame) {
   }
   const double processor = processor_milliseconds();
   const StepTimings& t = frame.report.milliseconds;
-  const std::array<double, 7> times = {t.step,       t.contact,  t.elasticity,          t.shock,
+  const std::array<double, 7> times = {t.step,       t.contact,  t.elasticity,          t.explicit_dynamics,
                                        t.separation, t.fracture, processor - processor_};
   for (std::size_t i = 0; i < times.size(); ++i) milliseconds_[i].push_back(times[i]);
   processor_ = processor;

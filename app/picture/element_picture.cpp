@@ -71,7 +71,7 @@ void add_section(std::vector<EdgePlace> places, TetId tet, const std::array<Vec3
 
 std::uint8_t flags_of(const PictureTriangle& triangle, const Frame& frame, TetId selected) {
   std::uint8_t flags = triangle.edges;
-  const bool outer = triangle.face < 0 || frame.elements.neighbours[triangle.tet][triangle.face].valid() ||
+  const bool outer = triangle.face < 0 || frame.elements.neighbors[triangle.tet][triangle.face].valid() ||
                      (frame.elements.first_surface[triangle.tet] >> triangle.face & 1);
   if (!outer) flags |= render::kCrackFace;
   if (triangle.tet == selected) flags |= render::kSelected;
@@ -111,7 +111,7 @@ std::vector<PictureTriangle> surface_triangles(const Frame& frame, const FaceFil
   std::vector<PictureTriangle> triangles;
   for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet)
     for (std::size_t face = 0; face < 4; ++face)
-      if (!frame.elements.neighbours[tet][face].valid() && shows(tet, face))
+      if (!frame.elements.neighbors[tet][face].valid() && shows(tet, face))
         triangles.push_back(face_triangle(TetId(static_cast<std::int64_t>(tet)), face));
   return triangles;
 }

@@ -48,7 +48,7 @@ class WallFitter {
 
  private:
   std::vector<WallCorner> outline_of(const SplinterFace& face, std::span<const SplinterCorner> corners) const {
-    const std::array<TetId, 4>& neighbors = mesh_.neighbours[set_.parts[face.part].tet];
+    const std::array<TetId, 4>& neighbors = mesh_.neighbors[set_.parts[face.part].tet];
     std::vector<WallCorner> outline;
     for (std::size_t i = 0; i < corners.size(); ++i) {
       constexpr float kTolerance = 1e-5f;

@@ -19,7 +19,7 @@ SplinterSet set_of(const Frame::Splinters& splinters) {
 }  // namespace
 
 Shards::Shards(const Frame& frame, const Scene& scene, const Monitor& monitor)
-    : neighbors_(frame.elements.neighbours.begin(), frame.elements.neighbours.end()),
+    : neighbors_(frame.elements.neighbors.begin(), frame.elements.neighbors.end()),
       tets_(frame.elements.tets.begin(), frame.elements.tets.end()),
       centers_(scene.bodies.size()) {
   if (std::ssize(tets_) <= kMaxTets && std::ranges::any_of(scene.bodies, may_have_shards))
@@ -70,8 +70,8 @@ SplinterState Shards::state(const Frame& frame) const {
   state.open_walls.assign(frame.splinters.open_walls.begin(), frame.splinters.open_walls.end());
   std::vector<TetId> cracked;
   for (const TetId tet : IdRange<TetId>(0, std::ssize(neighbors_)))
-    if (frame.elements.neighbours[tet] != neighbors_[tet]) cracked.push_back(tet);
-  follow_cracks(set_, frame.elements.neighbours, cracked, state);
+    if (frame.elements.neighbors[tet] != neighbors_[tet]) cracked.push_back(tet);
+  follow_cracks(set_, frame.elements.neighbors, cracked, state);
   return state;
 }
 

@@ -51,7 +51,7 @@ std::vector<std::uint8_t> surface_nodes(const Frame& frame) {
   std::vector<std::uint8_t> on_surface(frame.nodes.positions.size(), 0);
   for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet)
     for (std::size_t face = 0; face < 4; ++face)
-      if (!frame.elements.neighbours[tet][face].valid())
+      if (!frame.elements.neighbors[tet][face].valid())
         for (const int corner : kTetFaces[face]) on_surface[frame.elements.tets[tet][corner]] = 1;
   return on_surface;
 }

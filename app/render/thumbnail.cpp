@@ -18,7 +18,7 @@ Scene as_seen(Scene scene) {
 
 /// Steps until something can be seen.
 void step_until_visible(Painter& painter, Analysis analysis) {
-  if (analysis == Analysis::equilibrium) return painter.step();
+  if (analysis == Analysis::static_) return painter.step();
   for (int steps = 0, after_crack = 0; steps < kMostSteps && after_crack < kStepsAfterCrack; ++steps) {
     painter.step();
     if (after_crack > 0 || !painter.world().frame().crack_events.empty()) ++after_crack;

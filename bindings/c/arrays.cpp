@@ -138,7 +138,7 @@ constexpr ArrayEntry kArrays[] = {
      [](View s) { return view_of(s.frame.elements.tets); }},
     {GRIFFITH_TET_NEIGHBORS,
      {"tet_neighbors", "", "Tetrahedra behind the face opposite each node; -1 on the surface."},
-     [](View s) { return view_of(s.frame.elements.neighbours); }},
+     [](View s) { return view_of(s.frame.elements.neighbors); }},
     {GRIFFITH_TET_BODIES,
      {"tet_bodies", "", "Bodies of tetrahedra."},
      [](View s) { return view_of(s.frame.elements.bodies); }},

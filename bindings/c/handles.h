@@ -8,14 +8,14 @@
 #include "sim/core/parallel.h"
 #include "sim/recording/recording.h"
 #include "sim/scene/scene.h"
-#include "sim/world/setup/given_meshes.h"
+#include "sim/world/setup/in_memory_meshes.h"
 #include "sim/world/world.h"
 
 // Opaque types of the C interface.
 
 struct griffith_scene {
   griffith::Scene scene;
-  griffith::GivenMeshes meshes;
+  griffith::InMemoryMeshes meshes;
 };
 
 struct griffith_world {

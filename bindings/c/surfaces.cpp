@@ -41,7 +41,7 @@ void visit_tets(const Frame& frame, const Add& add) {
     const BodyId body = frame.elements.bodies[tet];
     if (has_splinters[frame.bodies[body].scene_body]) continue;
     for (int face = 0; face < 4; ++face) {
-      if (frame.elements.neighbours[tet][face].valid()) continue;
+      if (frame.elements.neighbors[tet][face].valid()) continue;
       std::array<Vec3, 3> triangle;
       for (int i = 0; i < 3; ++i) triangle[i] = frame.nodes.positions[frame.elements.tets[tet][kTetFaces[face][i]]];
       add(body, triangle, !(frame.elements.first_surface[tet] >> face & 1));

@@ -5,7 +5,7 @@ const float kBend = 0.012;  // of a ray through a slanted face, in heights of th
 uniform sampler2D opaque_picture, opaque_distance, depth_sums, light_sums, face_sums;
 layout(location = 0) out vec4 pixel_color;
 
-ivec2 neighbour(ivec2 pixel, int i) {
+ivec2 neighbor(ivec2 pixel, int i) {
   return clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0), textureSize(light_sums, 0) - 1);
 }
 
@@ -15,7 +15,7 @@ vec3 optical_depth(ivec2 pixel, vec3 depth, float unpaired) {
   if (unpaired == 0.0) return max(depth, 0.0);
   vec4 sum = vec4(0.0);
   for (int i = 0; i < 9; ++i) {
-    ivec2 there = neighbour(pixel, i);
+    ivec2 there = neighbor(pixel, i);
     bool paired = texelFetch(face_sums, there, 0).z == 0.0 && texelFetch(light_sums, there, 0).a > 0.0;
     if (paired) sum += vec4(max(texelFetch(depth_sums, there, 0).rgb, 0.0), 1.0);
   }
@@ -26,7 +26,7 @@ vec3 optical_depth(ivec2 pixel, vec3 depth, float unpaired) {
 bool stands_before(ivec2 place, float away) {
   bool found = false;
   for (int i = 0; i < 9; ++i) {
-    ivec2 there = neighbour(place, i);
+    ivec2 there = neighbor(place, i);
     found = found || (texelFetch(light_sums, there, 0).a == 0.0 && texelFetch(opaque_distance, there, 0).r < away);
   }
   return found;

@@ -16,25 +16,25 @@ namespace griffith {
 /// A rigid object of the contact world: an elastic body's proxy, a projectile or the ground.
 using ProxyId = Id<struct ProxyTag>;
 
-/// One convex part of a body's shape: its corner points in the body's own frame (origin at the centre of mass) [m].
+/// One convex part of a body's shape: its corner points in the body's own frame (origin at the center of mass) [m].
 using ConvexPart = std::vector<Vec3>;
 
 /// Placement and motion of a rigid object.
 struct RigidState {
-  Pose pose;                             ///< of the centre of mass frame
-  Vec3 velocity = Vec3::Zero();          ///< of the centre of mass [m/s]
+  Pose pose;                             ///< of the center of mass frame
+  Vec3 velocity = Vec3::Zero();          ///< of the center of mass [m/s]
   Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
 };
 
 struct RigidMass {
   double mass = 1;                  ///< [kg], > 0
-  Mat3 inertia = Mat3::Identity();  ///< about the centre of mass, in the object's own frame [kg·m²]
+  Mat3 inertia = Mat3::Identity();  ///< about the center of mass, in the object's own frame [kg·m²]
 };
 
 struct SurfaceProperties {
   double friction = 0.6;     ///< Coulomb's; a pair uses the geometric mean
   double restitution = 0.1;  ///< a pair uses the smaller one
-  /// The torque that resists rolling, over the normal force times the distance from the contact to the centre: what
+  /// The torque that resists rolling, over the normal force times the distance from the contact to the center: what
   /// rolls on level ground slows down by about so much of g. A pair uses the larger one.
   double rolling_resistance = 0.02;
 };
@@ -106,7 +106,7 @@ class ContactWorld {
   ProxyId add_ground(double height, const SurfaceProperties& surface);
   /// A rigid sphere that the contact world itself moves. Radius [m] > 0, mass [kg] > 0.
   ProxyId add_sphere(double radius, double mass, const RigidState& state, const SurfaceProperties& surface);
-  /// Adds a convex body that the contact world itself moves: its corners in its own frame (origin at the centre of
+  /// Adds a convex body that the contact world itself moves: its corners in its own frame (origin at the center of
   /// mass), not all in a plane.
   ProxyId add_convex(const ConvexPart& corners, const RigidMass& mass, const RigidState& state,
                      const SurfaceProperties& surface);
@@ -187,7 +187,7 @@ class ContactWorld {
   /// owner set since.
   void advance(double dt);
 
-  /// Where a proxy's centre of mass is after `dt` [s] at its velocity [m]: short of that where it would pass through
+  /// Where a proxy's center of mass is after `dt` [s] at its velocity [m]: short of that where it would pass through
   /// something else, as seen after advance(). What it moves against by less than `slow` [m] is left to the next
   /// detection, as is all for which `stops` says no.
   Vec3 swept_center(ProxyId proxy, double dt, double slow, const std::function<bool(ProxyId)>& stops) const;
@@ -196,7 +196,7 @@ class ContactWorld {
   Vec3 velocity_after(const Vec3& velocity, const Vec3& displacement, double dt) const;
 
   /// What a proxy is to be displaced by beside its velocities times `dt`, as a rigid motion (translation [m], rotation
-  /// vector [rad] about the centre of mass), from the last advance(): the way that it went among its contacts, and out
+  /// vector [rad] about the center of mass), from the last advance(): the way that it went among its contacts, and out
   /// of what is left of overlaps. Zero for what touches nothing.
   struct Correction {
     Vec3 translation = Vec3::Zero(), rotation = Vec3::Zero();
@@ -208,7 +208,7 @@ class ContactWorld {
   /// For how long something has to lie still before it falls asleep [s].
   static constexpr double kTimeToSleep = 0.5;
   /// Objects that, like all that they touch, have hardly moved for that long fall asleep; once a step of `dt` [s].
-  /// Sleepers stand still and cost nothing until something touches one that is not quiet, or a neighbour is reshaped
+  /// Sleepers stand still and cost nothing until something touches one that is not quiet, or a neighbor is reshaped
   /// or removed.
   void fall_asleep(double dt);
   /// Tells whether an elastic object has come to rest, for as long as fall_asleep() asks for; nothing where it is rigid

@@ -168,7 +168,7 @@ class HullPair {
 
   Vec3 corner_of_a(int corner) const { return place_.to_world(a_.corners[corner]); }
 
-  /// The most of the way from the other's centre, in the hull's frame, along any axis that one of its edges gives, or
+  /// The most of the way from the other's center, in the hull's frame, along any axis that one of its edges gives, or
   /// more: these lie against the normals of its faces.
   static double largest_along_edge(const Hull& hull, int index, const Vec3& from_other) {
     const Hull::Edge& edge = hull.edges[index];

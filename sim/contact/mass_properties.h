@@ -9,7 +9,7 @@ namespace griffith {
 struct MassProperties {
   Vec3 center = Vec3::Zero();   ///< of mass [m]
   double volume = 0;            ///< [m³]
-  Mat3 inertia = Mat3::Zero();  ///< about the centre, of a solid of 1 kg/m³ [kg·m²]
+  Mat3 inertia = Mat3::Zero();  ///< about the center, of a solid of 1 kg/m³ [kg·m²]
 };
 
 /// Those of a hull.

@@ -20,9 +20,9 @@ constexpr int kPushSweeps = 10;
 /// so much work: rows times sweeps. A group of which nothing is remembered has all of its impulses to find.
 constexpr double kResidual = 1e-3;
 constexpr int kWork = 1'000, kMaxSweeps = 8, kColdWork = 60'000, kMaxColdSweeps = 200;
-/// Blows are solved until no velocity changes by more than this share of the fastest, or for so much work.
+/// Impacts are solved until no velocity changes by more than this share of the fastest, or for so much work.
 constexpr double kTolerance = 1e-6;
-constexpr int kBlowSweeps = 60, kMinBlowSweeps = 4, kBlowWork = 12'000;
+constexpr int kImpactSweeps = 60, kMinImpactSweeps = 4, kImpactWork = 12'000;
 
 /// A body's rotation since the start of the step.
 struct Turn {
@@ -271,7 +271,7 @@ class GroupStep {
       fastest = std::max(fastest, point.approach);
     }
     if (fastest == 0) return 0;
-    const int sweeps = std::clamp(kBlowWork / static_cast<int>(rows_.points.size()), kMinBlowSweeps, kBlowSweeps);
+    const int sweeps = std::clamp(kImpactWork / static_cast<int>(rows_.points.size()), kMinImpactSweeps, kImpactSweeps);
     int done = 0;
     for (double change = fastest; done < sweeps && change > kTolerance * fastest; ++done) {
       change = 0;

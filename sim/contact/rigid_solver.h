@@ -7,7 +7,7 @@
 
 namespace griffith::contact {
 
-/// A rigid body in a step, about its centre of mass or the place of its hinge.
+/// A rigid body in a step, about its center of mass or the place of its hinge.
 struct RigidBody {
   bool moves = false;                                 ///< by contacts
   bool is_hinged = false;                             ///< not moved out of overlaps
@@ -25,7 +25,7 @@ struct RigidBody {
 struct RigidContact {
   int a = 0, b = 0;                                 ///< bodies
   Vec3 normal = Vec3::Zero();                       ///< unit, from b to a
-  Vec3 arm_a = Vec3::Zero(), arm_b = Vec3::Zero();  ///< from the centres or hinges [m]
+  Vec3 arm_a = Vec3::Zero(), arm_b = Vec3::Zero();  ///< from the centers or hinges [m]
   double fallen = 0;            ///< how deep it lies along gravity: sweeps down through a pile carry its load at once
   double distance = 0;          ///< [m], negative where they overlap by more than is allowed
   double resting = 0;           ///< overlap that stays [m]

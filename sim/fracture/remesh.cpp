@@ -87,7 +87,7 @@ void snap_surface(const TetMesh& mesh, std::span<const Vec3> positions, NodeId n
                   PlaneSides& sides) {
   for (TetId tet : mesh.stars[node])
     for (int face = 0; face < 4; ++face) {
-      if (mesh.neighbours[tet][face].valid() || mesh.tets[tet][face] == node) continue;
+      if (mesh.neighbors[tet][face].valid() || mesh.tets[tet][face] == node) continue;
       const auto [a, b, c] = face_nodes(mesh, tet, face);
       const Vec3 area = (positions[b] - positions[a]).cross(positions[c] - positions[a]);
       if (std::abs(area.dot(normal)) < std::cos(angle) * area.norm()) continue;

@@ -26,8 +26,8 @@ ForceLanes force_lanes(const RestElement& rest, const ElementState& state, int c
   return {-rest.volume * part, rest.volume * (part - whole)};
 }
 
-StarLoad star_load(const SeparationInput& input, NodeId node, const Mat3& tensor, const LargestPrincipal& pulled) {
-  StarLoad load{.tensor = tensor, .pulled = pulled};
+NodeLoad node_load(const SeparationInput& input, NodeId node, const Mat3& tensor, const LargestPrincipal& pulled) {
+  NodeLoad load{.tensor = tensor, .pulled = pulled};
   simd::WideQuad diagonal = {}, others = {};  // sums of volume times tension
   for (TetId tet : input.stars[node]) {
     if (!counts(input, tet, node)) continue;
@@ -77,7 +77,7 @@ bool all_uniform(const std::array<DirectionalStrength, N>& strengths) {
 }
 
 /// Returns the plane normal to `normal` with the load of the separation tensor.
-CandidatePlane pulled_plane(const StarLoad& load, const Vec3& normal) {
+CandidatePlane pulled_plane(const NodeLoad& load, const Vec3& normal) {
   CandidatePlane plane;
   plane.normal = plane.pulled = normal;
   plane.eigenvalue = normal.dot(load.tensor * normal);
@@ -101,7 +101,7 @@ void take_if_weaker(const Mat3& average, const Vec3& normal, const DirectionalSt
 
 /// Returns the plane of each. Eigenvectors take longest and are computed side by side.
 template <std::size_t N>
-std::array<CandidatePlane, N> find_planes(const std::array<StarLoad, N>& loads,
+std::array<CandidatePlane, N> find_planes(const std::array<NodeLoad, N>& loads,
                                           const std::array<DirectionalStrength, N>& strengths) {
   std::array<Vec3, N> normals;
   std::array<Mat3, N> tensors, averages;
@@ -174,21 +174,21 @@ Mat3 separation_tensor(const SeparationInput& input, NodeId node) {
 
 CandidatePlane candidate_plane(const SeparationInput& input, NodeId node, const Mat3& tensor,
                                const DirectionalStrength& strength) {
-  return find_planes<1>({star_load(input, node, tensor, largest_principal(tensor))}, {strength})[0];
+  return find_planes<1>({node_load(input, node, tensor, largest_principal(tensor))}, {strength})[0];
 }
 
-std::array<StarLoad, 4> star_loads(const SeparationInput& input, std::span<const NodeId> nodes) {
+std::array<NodeLoad, 4> node_loads(const SeparationInput& input, std::span<const NodeId> nodes) {
   std::array<Mat3, 4> tensors;
   for (std::size_t i = 0; i < 4; ++i)
     tensors[i] = i < nodes.size() ? separation_tensor(input, nodes[i]) : tensors[i - 1];
   const std::array<LargestPrincipal, 4> pulled = largest_principals(tensors);
-  std::array<StarLoad, 4> loads;
+  std::array<NodeLoad, 4> loads;
   for (std::size_t i = 0; i < 4; ++i)
-    loads[i] = i < nodes.size() ? star_load(input, nodes[i], tensors[i], pulled[i]) : loads[i - 1];
+    loads[i] = i < nodes.size() ? node_load(input, nodes[i], tensors[i], pulled[i]) : loads[i - 1];
   return loads;
 }
 
-std::array<CandidatePlane, 4> candidate_planes(const std::array<StarLoad, 4>& loads,
+std::array<CandidatePlane, 4> candidate_planes(const std::array<NodeLoad, 4>& loads,
                                                const std::array<DirectionalStrength, 4>& strengths) {
   return find_planes<4>(loads, strengths);
 }

@@ -75,7 +75,7 @@ CandidatePlane candidate_plane(const SeparationInput& input, NodeId node, const 
 
 /// Input of a candidate plane: sums over the elements around its node. Except for the tensor, only elements that count
 /// are included.
-struct StarLoad {
+struct NodeLoad {
   Mat3 tensor = Mat3::Zero();   ///< ς, world frame [N]
   LargestPrincipal pulled;      ///< v⁺ [N] and its direction e
   double area = 0;              ///< A [m²]
@@ -84,9 +84,9 @@ struct StarLoad {
   Mat3 tension = Mat3::Zero();  ///< sum of volume times tensile stress [J]
 };
 /// Returns the loads of up to four `nodes`, not none. Spare places repeat the last one.
-std::array<StarLoad, 4> star_loads(const SeparationInput& input, std::span<const NodeId> nodes);
+std::array<NodeLoad, 4> node_loads(const SeparationInput& input, std::span<const NodeId> nodes);
 /// Returns the planes of four nodes side by side, with the bits of one at a time.
-std::array<CandidatePlane, 4> candidate_planes(const std::array<StarLoad, 4>& loads,
+std::array<CandidatePlane, 4> candidate_planes(const std::array<NodeLoad, 4>& loads,
                                                const std::array<DirectionalStrength, 4>& strengths);
 
 /// Returns the contribution of an element to the mean tensile stress across a plane of its node [Pa]. The contributions

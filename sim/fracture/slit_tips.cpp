@@ -15,7 +15,7 @@ std::vector<NodeId> slit_tips(const TetMesh& mesh) {
   std::set<NodeId> tips;
   for (const TetId tet : IdRange<TetId>(0, mesh.tet_count()))
     for (int face = 0; face < 4; ++face) {
-      if (mesh.neighbours[tet][face].valid()) continue;
+      if (mesh.neighbors[tet][face].valid()) continue;
       const std::array<NodeId, 3> corners = face_nodes(mesh, tet, face);
       for (NodeId node : corners)
         for (NodeId end : corners) {

@@ -13,7 +13,7 @@ namespace {
 struct CutFace {
   TetId tet;
   int face;
-  TetId neighbour;
+  TetId neighbor;
 };
 
 Vec3 centroid(const TetMesh& mesh, std::span<const Vec3> positions, TetId tet) {
@@ -30,9 +30,9 @@ std::vector<CutFace> faces_across(const TetMesh& mesh, NodeId node, std::span<co
   for (TetId tet : star) {
     if (!is_above(tet)) continue;
     for (int face = 0; face < 4; ++face) {
-      const TetId neighbour = mesh.neighbours[tet][face];
+      const TetId neighbor = mesh.neighbors[tet][face];
       const bool at_node = mesh.tets[tet][face] != node;
-      if (at_node && neighbour.valid() && !is_above(neighbour)) faces.push_back({tet, face, neighbour});
+      if (at_node && neighbor.valid() && !is_above(neighbor)) faces.push_back({tet, face, neighbor});
     }
   }
   return faces;
@@ -40,18 +40,18 @@ std::vector<CutFace> faces_across(const TetMesh& mesh, NodeId node, std::span<co
 
 void cut(TetMesh& mesh, const std::vector<CutFace>& faces) {
   for (const CutFace& cut_face : faces) {
-    mesh.neighbours[cut_face.neighbour][face_towards(mesh, cut_face.neighbour, cut_face.tet)] = TetId();
-    mesh.neighbours[cut_face.tet][cut_face.face] = TetId();
+    mesh.neighbors[cut_face.neighbor][face_toward(mesh, cut_face.neighbor, cut_face.tet)] = TetId();
+    mesh.neighbors[cut_face.tet][cut_face.face] = TetId();
   }
 }
 
 /// Reverts cut(). The faces still match because no node has been copied yet.
 void join(TetMesh& mesh, const std::vector<CutFace>& faces) {
   for (const CutFace& cut_face : faces) {
-    mesh.neighbours[cut_face.tet][cut_face.face] = cut_face.neighbour;
-    const auto& corners = mesh.tets[cut_face.neighbour];
+    mesh.neighbors[cut_face.tet][cut_face.face] = cut_face.neighbor;
+    const auto& corners = mesh.tets[cut_face.neighbor];
     for (int i = 0; i < 4; ++i)
-      if (local_corner(mesh, cut_face.tet, corners[i]) < 0) mesh.neighbours[cut_face.neighbour][i] = cut_face.tet;
+      if (local_corner(mesh, cut_face.tet, corners[i]) < 0) mesh.neighbors[cut_face.neighbor][i] = cut_face.tet;
   }
 }
 
@@ -63,15 +63,14 @@ bool leaves_small_piece(const TetMesh& mesh, const std::vector<CutFace>& faces, 
     std::unordered_set<TetId> found = {start};
     for (std::size_t next = 0; next < piece.size() && static_cast<int>(piece.size()) < count; ++next) {
       if (large.contains(piece[next])) return false;
-      for (TetId neighbour : mesh.neighbours[piece[next]])
-        if (neighbour.valid() && found.insert(neighbour).second) piece.push_back(neighbour);
+      for (TetId neighbor : mesh.neighbors[piece[next]])
+        if (neighbor.valid() && found.insert(neighbor).second) piece.push_back(neighbor);
     }
     if (static_cast<int>(piece.size()) < count) return true;
     large.merge(found);
     return false;
   };
-  return std::ranges::any_of(faces,
-                             [&](const CutFace& face) { return is_small(face.tet) || is_small(face.neighbour); });
+  return std::ranges::any_of(faces, [&](const CutFace& face) { return is_small(face.tet) || is_small(face.neighbor); });
 }
 
 /// Gives every component of the node's star except the first a copy of the node.
@@ -123,7 +122,7 @@ SplitResult split_node(TetMesh& mesh, NodeId node, std::span<const std::uint8_t>
   std::set<NodeId> touched = {node};
   std::set<TetId> changed;
   for (const CutFace& face : faces) {
-    changed.insert({face.tet, face.neighbour});
+    changed.insert({face.tet, face.neighbor});
     for (int i = 0; i < 4; ++i)
       if (i != face.face) touched.insert(mesh.tets[face.tet][i]);
   }

@@ -16,13 +16,13 @@ void link_children(TetMesh& mesh, const std::vector<TetId>& piece, const std::ve
     return halves[std::lower_bound(piece.begin(), piece.end(), tet) - piece.begin()].child;
   };
   for (const auto& [tet, child, kept, moved] : halves) {
-    const TetId behind = mesh.neighbours[tet][kept];
-    auto& links = mesh.neighbours[child] = mesh.neighbours[tet];
+    const TetId behind = mesh.neighbors[tet][kept];
+    auto& links = mesh.neighbors[child] = mesh.neighbors[tet];
     for (int face = 0; face < 4; ++face)
       if (face != kept && face != moved && links[face].valid()) links[face] = child_of(links[face]);
     links[moved] = tet;
-    mesh.neighbours[tet][kept] = child;
-    if (behind.valid()) mesh.neighbours[behind][face_towards(mesh, behind, tet)] = child;
+    mesh.neighbors[tet][kept] = child;
+    if (behind.valid()) mesh.neighbors[behind][face_toward(mesh, behind, tet)] = child;
   }
 }
 
@@ -46,7 +46,7 @@ void bisect_piece(TetMesh& mesh, const std::vector<TetId>& piece, NodeId a, Node
     mesh.tets.back()[halves.back().kept] = middle.node;
     mesh.tets[tet][halves.back().moved] = middle.node;
   }
-  mesh.neighbours.resize(mesh.tets.size());
+  mesh.neighbors.resize(mesh.tets.size());
   link_children(mesh, piece, halves);
   update_stars(mesh, piece, halves, b, middle.node);
   log.nodes.push_back(middle);

@@ -29,7 +29,7 @@ void check_tets(const TetMesh& mesh, Findings& findings) {
     for (NodeId node : mesh.tets[tet])
       findings.require(node.valid() && node.index() < mesh.node_count(), "tet", tet,
                        "has a corner that does not exist");
-    for (TetId other : mesh.neighbours[tet])
+    for (TetId other : mesh.neighbors[tet])
       findings.require(other.index() < mesh.tet_count(), "tet", tet, "has a neighbor that does not exist");
     if (findings.list.empty())
       findings.require(rest_volume(mesh, TetId(tet)) > 0, "tet", tet, "has no positive volume");
@@ -46,7 +46,7 @@ void check_links(const TetMesh& mesh, Findings& findings) {
       const auto& sharing = tets_of_face[sorted_face(mesh, TetId(tet), face)];
       findings.require(sharing.size() <= 2, "tet", tet, "has a face shared by more than two tets");
       const TetId other = sharing.size() < 2 ? TetId() : sharing[0] == TetId(tet) ? sharing[1] : sharing[0];
-      findings.require(mesh.neighbours[tet][face] == other, "tet", tet,
+      findings.require(mesh.neighbors[tet][face] == other, "tet", tet,
                        "has a link that disagrees with the shared nodes");
     }
 }
@@ -67,7 +67,7 @@ void check_stars(const TetMesh& mesh, Findings& findings) {
 }  // namespace
 
 std::vector<std::string> check_invariants(const TetMesh& mesh) {
-  if (mesh.neighbours.size() != mesh.tets.size()) return {"neighbors and tets differ in number"};
+  if (mesh.neighbors.size() != mesh.tets.size()) return {"neighbors and tets differ in number"};
   if (mesh.stars.size() != mesh.rest_positions.size()) return {"stars and nodes differ in number"};
   Findings findings;
   check_tets(mesh, findings);

@@ -21,10 +21,10 @@ inline constexpr std::array<std::array<int, 3>, 4> kTetFaces = {{{1, 2, 3}, {0, 
 /// nodes, and remeshing (bisect.h) appends tets. Nothing is ever removed. Tets are positively oriented: det(x1−x0,
 /// x2−x0, x3−x0) > 0 in rest space.
 struct TetMesh {
-  std::vector<Vec3> rest_positions;              ///< per node [m]
-  std::vector<std::array<NodeId, 4>> tets;       ///< per tet: its corners
-  std::vector<std::array<TetId, 4>> neighbours;  ///< per tet: the tet across face i, or an invalid id
-  std::vector<std::vector<TetId>> stars;         ///< per node: its tets, ascending
+  std::vector<Vec3> rest_positions;             ///< per node [m]
+  std::vector<std::array<NodeId, 4>> tets;      ///< per tet: its corners
+  std::vector<std::array<TetId, 4>> neighbors;  ///< per tet: the tet across face i, or an invalid id
+  std::vector<std::vector<TetId>> stars;        ///< per node: its tets, ascending
 
   int node_count() const { return static_cast<int>(rest_positions.size()); }
   int tet_count() const { return static_cast<int>(tets.size()); }

@@ -35,14 +35,14 @@ std::vector<FaceSide> sorted_face_sides(const TetMesh& mesh) {
 }
 
 void link_faces(TetMesh& mesh) {
-  mesh.neighbours.resize(mesh.tets.size());
+  mesh.neighbors.resize(mesh.tets.size());
   const auto sides = sorted_face_sides(mesh);
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
     const FaceSide &a = sides[i], &b = sides[i + 1];
     if (a.key != b.key) continue;
     assert((i + 2 == sides.size() || sides[i + 2].key != a.key) && "a face of three tets: the soup was not prepared");
-    mesh.neighbours[a.tet][a.face] = b.tet;
-    mesh.neighbours[b.tet][b.face] = a.tet;
+    mesh.neighbors[a.tet][a.face] = b.tet;
+    mesh.neighbors[b.tet][b.face] = a.tet;
   }
 }
 
@@ -73,7 +73,7 @@ std::vector<std::vector<TetId>> components(const TetMesh& mesh, std::span<const 
       queue.pop_back();
       piece.push_back(tet);
       for (int face = 0; face < 4; ++face)
-        if (mesh.neighbours[tet][face].valid() && crosses(tet, face)) visit(mesh.neighbours[tet][face]);
+        if (mesh.neighbors[tet][face].valid() && crosses(tet, face)) visit(mesh.neighbors[tet][face]);
     }
     std::sort(piece.begin(), piece.end());
     result.push_back(std::move(piece));
@@ -100,10 +100,10 @@ AppendedRange append(TetMesh& mesh, const TetMesh& other) {
     for (NodeId& node : tet) node = node.shifted(range.first_node);
     mesh.tets.push_back(tet);
   }
-  for (std::array<TetId, 4> links : other.neighbours) {
+  for (std::array<TetId, 4> links : other.neighbors) {
     for (TetId& tet : links)
       if (tet.valid()) tet = tet.shifted(range.first_tet);
-    mesh.neighbours.push_back(links);
+    mesh.neighbors.push_back(links);
   }
   for (std::vector<TetId> star : other.stars) {
     for (TetId& tet : star) tet = tet.shifted(range.first_tet);
@@ -139,8 +139,8 @@ std::array<NodeId, 3> face_nodes(const TetMesh& mesh, TetId tet, int face) {
   return {corners[kTetFaces[face][0]], corners[kTetFaces[face][1]], corners[kTetFaces[face][2]]};
 }
 
-int face_towards(const TetMesh& mesh, TetId tet, TetId other) {
-  const auto& links = mesh.neighbours[tet];
+int face_toward(const TetMesh& mesh, TetId tet, TetId other) {
+  const auto& links = mesh.neighbors[tet];
   const auto found = std::find(links.begin(), links.end(), other);
   assert(found != links.end());
   return static_cast<int>(found - links.begin());
@@ -181,7 +181,7 @@ std::vector<SurfaceFace> surface_faces(const TetMesh& mesh) {
   std::vector<SurfaceFace> faces;
   for (int tet = 0; tet < mesh.tet_count(); ++tet)
     for (int face = 0; face < 4; ++face)
-      if (!mesh.neighbours[tet][face].valid()) faces.push_back({TetId(tet), face});
+      if (!mesh.neighbors[tet][face].valid()) faces.push_back({TetId(tet), face});
   return faces;
 }
 

@@ -35,7 +35,7 @@ int local_corner(const TetMesh& mesh, TetId tet, NodeId node);
 std::array<NodeId, 3> face_nodes(const TetMesh& mesh, TetId tet, int face);
 
 /// Returns the face (0..3) of `tet` toward its neighbor `other`; they must be linked.
-int face_towards(const TetMesh& mesh, TetId tet, TetId other);
+int face_toward(const TetMesh& mesh, TetId tet, TetId other);
 
 /// Returns the nodes of `tets`, ascending, without duplicates.
 std::vector<NodeId> nodes_of(const TetMesh& mesh, std::span<const TetId> tets);

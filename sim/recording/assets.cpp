@@ -145,8 +145,8 @@ SceneWithAssets collect_assets(const World& world, OutsideFiles outside) {
   return result;
 }
 
-GivenMeshes filled_surfaces(const Scene& scene) {
-  GivenMeshes meshes;
+InMemoryMeshes filled_surfaces(const Scene& scene) {
+  InMemoryMeshes meshes;
   for (const BodyDescription& body : scene.bodies) {
     const auto* surface = std::get_if<SurfaceShape>(&body.shape);
     if (!surface) continue;

@@ -3,7 +3,7 @@
 #include "sim/recording/file_tree.h"
 #include "sim/recording/recording.h"
 #include "sim/scene/scene.h"
-#include "sim/world/setup/given_meshes.h"
+#include "sim/world/setup/in_memory_meshes.h"
 #include "sim/world/world.h"
 
 namespace griffith {
@@ -21,6 +21,6 @@ struct SceneWithAssets {
 SceneWithAssets collect_assets(const World& world, OutsideFiles outside = OutsideFiles::refuse);
 
 /// Returns the meshes that collect_assets() put beside the surfaces of the scene, whose files are below scene.folder.
-GivenMeshes filled_surfaces(const Scene& scene);
+InMemoryMeshes filled_surfaces(const Scene& scene);
 
 }  // namespace griffith

@@ -79,15 +79,15 @@ struct Ground {
 
 /// Kind of analysis of a scene.
 enum class Analysis {
-  dynamic,      ///< integration in time
-  equilibrium,  ///< equilibrium with the loads at each time, without inertia
+  dynamic,  ///< integration in time
+  static_,  ///< equilibrium with the loads at each time, without inertia
 };
 
 /// Time integration of a body.
 enum class Integrator {
-  implicit_euler,    ///< one linear system per step: stable at any length
-  hybrid,            ///< implicit, with microsteps at the stable step in bodies that are hit or crack
-  symplectic_euler,  ///< no linear system, but as many substeps as stability requires
+  implicit,   ///< one linear system per step: stable at any length
+  hybrid,     ///< implicit, with microsteps at the stable step in bodies that are hit or crack
+  explicit_,  ///< no linear system, but as many substeps as stability requires
 };
 
 /// Settings of a step. Budgets count work, not time, so results do not depend on the machine.

@@ -19,10 +19,10 @@ std::vector<int> grow(const BlockSparseMatrix& matrix, int seed, int aggregate, 
     const int row = members[next];
     for (int k = matrix.row_starts[row]; k < matrix.row_starts[row + 1]; ++k) {
       if (static_cast<int>(members.size()) >= target_size) return members;
-      const int neighbour = matrix.columns[k];
-      if (aggregates[neighbour] >= 0) continue;
-      aggregates[neighbour] = aggregate;
-      members.push_back(neighbour);
+      const int neighbor = matrix.columns[k];
+      if (aggregates[neighbor] >= 0) continue;
+      aggregates[neighbor] = aggregate;
+      members.push_back(neighbor);
     }
   }
   return members;
@@ -42,18 +42,18 @@ void group_the_rest(const BlockSparseMatrix& matrix, int target_size, int count,
   for (int seed = 0; seed < matrix.rows(); ++seed) {
     if (aggregates[seed] >= 0) continue;
     const std::vector<int> members = grow(matrix, seed, count, target_size, aggregates);
-    // Left-over islands between grown aggregates join a neighbour: modes of a few nodes cost as much as any others.
-    const int neighbour =
+    // Left-over islands between grown aggregates join a neighbor: modes of a few nodes cost as much as any others.
+    const int neighbor =
         static_cast<int>(members.size()) * 4 < target_size ? adjacent_aggregate(matrix, members, aggregates) : -1;
-    if (neighbour < 0) {
+    if (neighbor < 0) {
       ++count;
     } else {
-      for (int row : members) aggregates[row] = neighbour;
+      for (int row : members) aggregates[row] = neighbor;
     }
   }
 }
 
-void join_neighbours(const BlockSparseMatrix& matrix, std::vector<int>& aggregates) {
+void join_neighbors(const BlockSparseMatrix& matrix, std::vector<int>& aggregates) {
   for (int row = 0; row < matrix.rows(); ++row)
     for (int k = matrix.row_starts[row]; k < matrix.row_starts[row + 1] && aggregates[row] < 0; ++k)
       aggregates[row] = aggregates[matrix.columns[k]];
@@ -67,10 +67,10 @@ int mark_connected(const BlockSparseMatrix& matrix, const std::vector<int>& aggr
   for (std::size_t next = 0; next < reached.size(); ++next) {
     const int row = reached[next];
     for (int k = matrix.row_starts[row]; k < matrix.row_starts[row + 1]; ++k) {
-      const int neighbour = matrix.columns[k];
-      if (marked[neighbour] || aggregates[neighbour] != aggregates[seed]) continue;
-      marked[neighbour] = 1;
-      reached.push_back(neighbour);
+      const int neighbor = matrix.columns[k];
+      if (marked[neighbor] || aggregates[neighbor] != aggregates[seed]) continue;
+      marked[neighbor] = 1;
+      reached.push_back(neighbor);
     }
   }
   return static_cast<int>(reached.size());
@@ -108,18 +108,18 @@ std::vector<int> aggregate_rows(const BlockSparseMatrix& matrix, int target_size
 std::vector<int> patch_aggregates(const BlockSparseMatrix& matrix, int target_size, std::vector<int> aggregates) {
   if (aggregates.empty()) return aggregates;
   const int count = *std::max_element(aggregates.begin(), aggregates.end()) + 1;
-  join_neighbours(matrix, aggregates);
+  join_neighbors(matrix, aggregates);
   release_broken(matrix, target_size, count, aggregates);
   group_the_rest(matrix, target_size, count, aggregates);
   number_without_gaps(aggregates);
   return aggregates;
 }
 
-std::vector<int> elimination_order(const std::vector<std::vector<int>>& neighbours) {
-  const int count = static_cast<int>(neighbours.size());
+std::vector<int> elimination_order(const std::vector<std::vector<int>>& neighbors) {
+  const int count = static_cast<int>(neighbors.size());
   std::vector<Eigen::Triplet<double>> entries;
   for (int a = 0; a < count; ++a)
-    for (const int other : neighbours[a]) entries.emplace_back(other, a, 1.0);
+    for (const int other : neighbors[a]) entries.emplace_back(other, a, 1.0);
   Eigen::SparseMatrix<double> pattern(count, count);
   pattern.setFromTriplets(entries.begin(), entries.end());
   Eigen::AMDOrdering<int>::PermutationType old_numbers;

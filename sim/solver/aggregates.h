@@ -11,11 +11,11 @@ namespace griffith {
 std::vector<int> aggregate_rows(const BlockSparseMatrix& matrix, int target_size);
 
 /// Fits aggregates to a matrix whose graph has lost links, rows or parts of rows. `aggregates`: those of before, per
-/// row, -1 for a new row. New rows join a neighbour's aggregate; what does not hold together any more is grouped anew.
+/// row, -1 for a new row. New rows join a neighbor's aggregate; what does not hold together any more is grouped anew.
 std::vector<int> patch_aggregates(const BlockSparseMatrix& matrix, int target_size, std::vector<int> aggregates);
 
 /// Other numbers for the aggregates, by which Cholesky factors of a matrix with their pattern stay sparse (approximate
-/// minimum degree: Amestoy, Davis & Duff 1996). `neighbours`: of each aggregate, those of a higher number at least.
-std::vector<int> elimination_order(const std::vector<std::vector<int>>& neighbours);
+/// minimum degree: Amestoy, Davis & Duff 1996). `neighbors`: of each aggregate, those of a higher number at least.
+std::vector<int> elimination_order(const std::vector<std::vector<int>>& neighbors);
 
 }  // namespace griffith

@@ -18,7 +18,7 @@ struct DoubleVectors {
 
   double precondition() { return preconditioner.apply(r, z); }
   void begin() { p = z; }
-  void turn(double factor) {
+  void update_direction(double factor) {
     parallel_for(static_cast<int>(p.cols()), 2048, [&](int begin, int end) {
       p.middleCols(begin, end - begin) = z.middleCols(begin, end - begin) + factor * p.middleCols(begin, end - begin);
     });
@@ -28,7 +28,7 @@ struct DoubleVectors {
     return dot(p, a_p);
   }
   /// As dot() sums, in one pass: the sum, one term after the other, hides behind the rest.
-  double go_along(double step) {
+  double advance_solution(double step) {
     return parallel_sum(static_cast<int>(x.cols()), [&](int begin, int end) {
       double sum = -0.0;
       for (Eigen::Index i = 3 * begin; i < 3 * end; ++i) {
@@ -53,13 +53,13 @@ bool suits_single_precision(const BlockSparseMatrix& a, double tolerance) {
 /// that brings no more. Returns the iterations made.
 int refine_in_single_precision(const BlockSparseMatrix& a, const RigidModePreconditioner& preconditioner,
                                const NodeVectors& b, double target, int max_iterations,
-                               const std::function<bool()>& given_up, NodeVectors& x, NodeVectors& r, double& left) {
+                               const std::function<bool()>& cancelled, NodeVectors& x, NodeVectors& r, double& left) {
   constexpr double kWorthwhile = 0.25;  // of the residual before
   int iterations = 0;
   for (double before = INFINITY; left > target && left < kWorthwhile * before;) {
     NodeVectors refined, a_x;
     iterations +=
-        solve_in_single_precision(a, preconditioner, r, 0.9 * target, max_iterations - iterations, given_up, refined);
+        solve_in_single_precision(a, preconditioner, r, 0.9 * target, max_iterations - iterations, cancelled, refined);
     refined += x;
     multiply(a, refined, a_x);
     a_x = b - a_x;
@@ -77,7 +77,7 @@ int refine_in_single_precision(const BlockSparseMatrix& a, const RigidModePrecon
 
 SolveReport conjugate_gradient(const BlockSparseMatrix& a, const Preconditioning& preconditioner, const NodeVectors& b,
                                NodeVectors& x, double tolerance, double scale, int max_iterations,
-                               const std::function<bool()>& given_up) {
+                               const std::function<bool()>& cancelled) {
   NodeVectors a_p;
   multiply(a, x, a_p);
   const double guess_energy = dot(x, a_p);
@@ -90,9 +90,9 @@ SolveReport conjugate_gradient(const BlockSparseMatrix& a, const Preconditioning
   SolveReport report;
   if (!preconditioner.factors && suits_single_precision(a, tolerance))
     report.iterations =
-        refine_in_single_precision(a, preconditioner.modes, b, target, max_iterations, given_up, x, r, residual);
+        refine_in_single_precision(a, preconditioner.modes, b, target, max_iterations, cancelled, x, r, residual);
   DoubleVectors vectors{a, preconditioner, x, r};
-  residual = iterate_conjugate_gradients(vectors, residual, target, max_iterations, given_up, report.iterations);
+  residual = iterate_conjugate_gradients(vectors, residual, target, max_iterations, cancelled, report.iterations);
   report.relative_residual = scale > 0 ? residual / scale : 0;
   report.converged = residual <= target;
   return report;

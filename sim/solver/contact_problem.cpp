@@ -140,7 +140,7 @@ class ContactSolver {
     if (is_coupled_) more = (lifts_ + coupled_lifts(u, more)).cwiseMax(0) - lifts_;
     d += direction(impulses_on_bodies(impulses_of_lifts(more)));
     lifts_ += more;
-    go_along(d);
+    search_along(d);
   }
 
   /// Impulses that lifts take from contacts which move as they did.
@@ -203,7 +203,7 @@ class ContactSolver {
         return inner <= kNewtonFraction * negligible_speed() || missing <= negligible_speed() ? Minimum::exact
                                                                                               : Minimum::rough;
       ++report_.newton_steps;
-      if (!go_along(direction(std::move(residual)))) return Minimum::none;
+      if (!search_along(direction(std::move(residual)))) return Minimum::none;
     }
     return Minimum::none;
   }
@@ -251,7 +251,7 @@ class ContactSolver {
   }
 
   /// Goes to the minimum along a direction; false where that does not lead down.
-  bool go_along(const Eigen::VectorXd& d) {
+  bool search_along(const Eigen::VectorXd& d) {
     Eigen::VectorXd a_d;
     bodies_.multiply(d, a_d);
     const Eigen::Matrix3Xd moved = motion_.of(d);

@@ -318,19 +318,19 @@ void ElasticSystem::project_right_hand_side(std::span<const NodeConstraint> cons
 
 SolveReport ElasticSystem::solve_projected(std::span<const NodeConstraint> constraints, double relative_residual,
                                            int max_iterations, NodeVectors b, NodeVectors& x,
-                                           const std::function<bool()>& given_up) {
+                                           const std::function<bool()>& cancelled) {
   if (rows() == 0) return {};
   project_right_hand_side(constraints, b);
-  const SolveReport report = solve_rows(b, x, relative_residual, max_iterations, given_up);
+  const SolveReport report = solve_rows(b, x, relative_residual, max_iterations, cancelled);
   if (factors_) factors_->count_iterations(report.iterations);
   return report;
 }
 
 SolveReport ElasticSystem::solve_rows(const NodeVectors& b, NodeVectors& x, double relative_residual,
-                                      int max_iterations, const std::function<bool()>& given_up) const {
+                                      int max_iterations, const std::function<bool()>& cancelled) const {
   project(x);
   return conjugate_gradient(rows_->matrix, preconditioning(), b, x, relative_residual, std::sqrt(dot(b, b)),
-                            max_iterations, given_up);
+                            max_iterations, cancelled);
 }
 
 SolveReport ElasticSystem::solve_carried(const ImplicitStep& step, std::span<const NodeConstraint> constraints,

@@ -89,9 +89,9 @@ class ElasticSystem {
                     std::span<Vec3> velocities, const EdgeMotion& edges = {});
 
   /// Solves S A S x = S (b − A w) for x = S x, w the known part of the constraints; one column a row. `x` holds a
-  /// guess. `given_up`: as in conjugate_gradient().
+  /// guess. `cancelled`: as in conjugate_gradient().
   SolveReport solve_projected(std::span<const NodeConstraint> constraints, double relative_residual, int max_iterations,
-                              NodeVectors b, NodeVectors& x, const std::function<bool()>& given_up = {});
+                              NodeVectors b, NodeVectors& x, const std::function<bool()>& cancelled = {});
   /// Solves it by a factorisation; false when that breaks down, and `x` is left alone.
   bool solve_directly(std::span<const NodeConstraint> constraints, NodeVectors b, NodeVectors& x) const;
   /// The values of nodes() and edges() out of values per node and per edge of the mesh, one column a row; zero for
@@ -137,7 +137,7 @@ class ElasticSystem {
                             const Eigen::VectorXd& masses, NodeVectors b, NodeVectors& x) const;
   /// Solves S A S x = b, `b` projected, from the guess `x`.
   SolveReport solve_rows(const NodeVectors& b, NodeVectors& x, double relative_residual, int max_iterations,
-                         const std::function<bool()>& given_up = {}) const;
+                         const std::function<bool()>& cancelled = {}) const;
   /// Completes the impulses that reactions_ holds, −(M v + h f) of the supports, to reaction forces.
   void balance_supports(double dt, std::span<const NodeConstraint> constraints, std::span<const Vec3> velocities,
                         std::span<const Vec3> edge_velocities);

@@ -51,7 +51,7 @@ struct ElementRows {
   /// Makes room for the blocks of all rows.
   void allocate() { matrix.blocks.resize(matrix.columns.size()); }
   /// Fits the rows to a topology in which stars have only lost tets, or got them from one that did: `node_list` are the
-  /// nodes now, `column_of_node` their rows. Rows whose star and neighbours stand are moved, all others made anew; the
+  /// nodes now, `column_of_node` their rows. Rows whose star and neighbors stand are moved, all others made anew; the
   /// blocks are left for assemble(). The columns must be the rows' own nodes. Returns the row that each node had, -1
   /// for a new one.
   std::vector<int> patch(const TetMesh& mesh, std::span<const NodeId> node_list, std::span<const int> column_of_node);
@@ -72,7 +72,7 @@ struct ElementRows {
   void assemble_quadratic(const MatrixFactors& factors, const ElasticLaw& law,
                           std::span<const RestElement> rest_elements, std::span<const ElementState> states,
                           std::span<const double> masses, std::span<const double> edge_masses);
-  /// Appends a row of other ElementRows whose star and neighbours stand.
+  /// Appends a row of other ElementRows whose star and neighbors stand.
   void keep(const ElementRows& from, int row, std::span<const int> column_of_node);
 };
 

@@ -10,7 +10,7 @@ namespace griffith {
 namespace {
 
 /// The later rows that each row has entries with, in an order of elimination.
-std::vector<std::vector<int>> later_neighbours(const BlockSparseMatrix& pattern, const std::vector<int>& places) {
+std::vector<std::vector<int>> later_neighbors(const BlockSparseMatrix& pattern, const std::vector<int>& places) {
   std::vector<std::vector<int>> later(pattern.rows());
   for (int row = 0; row < pattern.rows(); ++row)
     for (int k = pattern.row_starts[row]; k < pattern.row_starts[row + 1]; ++k)
@@ -97,13 +97,13 @@ std::int64_t EliminationPlan::operations() const {
 }
 
 EliminationPlan plan_elimination(const BlockSparseMatrix& pattern) {
-  std::vector<std::vector<int>> neighbours(pattern.rows());
+  std::vector<std::vector<int>> neighbors(pattern.rows());
   for (int row = 0; row < pattern.rows(); ++row)
     for (int k = pattern.row_starts[row]; k < pattern.row_starts[row + 1]; ++k)
-      if (pattern.columns[k] >= row) neighbours[row].push_back(pattern.columns[k]);
+      if (pattern.columns[k] >= row) neighbors[row].push_back(pattern.columns[k]);
   EliminationPlan plan;
-  plan.places = elimination_order(neighbours);
-  plan.fronts = join_fronts(single_fronts(later_neighbours(pattern, plan.places)));
+  plan.places = elimination_order(neighbors);
+  plan.fronts = join_fronts(single_fronts(later_neighbors(pattern, plan.places)));
   find_parents(plan.fronts);
   return plan;
 }

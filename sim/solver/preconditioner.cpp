@@ -15,12 +15,12 @@ namespace {
 /// The factors of a matrix this close do as well: where little moves, most of the set-up is saved.
 constexpr double kSameMatrix = 1e-3;
 
-/// The neighbours of each aggregate that have a higher number, and itself, by other numbers.
-std::vector<std::vector<int>> renumbered(const std::vector<std::vector<int>>& neighbours,
+/// The neighbors of each aggregate that have a higher number, and itself, by other numbers.
+std::vector<std::vector<int>> renumbered(const std::vector<std::vector<int>>& neighbors,
                                          const std::vector<int>& numbers) {
-  std::vector<std::vector<int>> result(neighbours.size());
-  for (std::size_t a = 0; a < neighbours.size(); ++a)
-    for (const int other : neighbours[a]) {
+  std::vector<std::vector<int>> result(neighbors.size());
+  for (std::size_t a = 0; a < neighbors.size(); ++a)
+    for (const int other : neighbors[a]) {
       const auto [low, high] = std::minmax(numbers[a], numbers[other]);
       result[low].push_back(high);
     }
@@ -150,10 +150,10 @@ void RigidModePreconditioner::update(const BlockSparseMatrix& matrix, const Node
 }
 
 void RigidModePreconditioner::build_coarse_pattern(const BlockSparseMatrix& matrix) {
-  if (const std::vector<std::vector<int>> neighbours = coarse_neighbours(matrix); neighbours != coarse_rows_) {
-    const std::vector<int> numbers = elimination_order(neighbours);
+  if (const std::vector<std::vector<int>> neighbors = coarse_neighbors(matrix); neighbors != coarse_rows_) {
+    const std::vector<int> numbers = elimination_order(neighbors);
     renumber_aggregates(numbers);
-    coarse_rows_ = renumbered(neighbours, numbers);
+    coarse_rows_ = renumbered(neighbors, numbers);
     coarse_.resize(0, 0);  // made by the next update: debris never needs one
   }
   coarse_slots_.assign(matrix.columns.size(), -1);
@@ -165,10 +165,10 @@ void RigidModePreconditioner::build_coarse_pattern(const BlockSparseMatrix& matr
   }
 }
 
-std::vector<std::vector<int>> RigidModePreconditioner::coarse_neighbours(const BlockSparseMatrix& matrix) const {
-  std::vector<std::vector<int>> neighbours(aggregate_count());
+std::vector<std::vector<int>> RigidModePreconditioner::coarse_neighbors(const BlockSparseMatrix& matrix) const {
+  std::vector<std::vector<int>> neighbors(aggregate_count());
   for (int a = 0; a < aggregate_count(); ++a) {
-    std::vector<int>& found = neighbours[a];
+    std::vector<int>& found = neighbors[a];
     for (const int node : members_[a])
       for (int k = matrix.row_starts[node]; k < matrix.row_starts[node + 1] && matrix.columns[k] < node_rows(); ++k)
         if (const int other = aggregates_[matrix.columns[k]];
@@ -176,7 +176,7 @@ std::vector<std::vector<int>> RigidModePreconditioner::coarse_neighbours(const B
           found.push_back(other);
     std::ranges::sort(found);
   }
-  return neighbours;
+  return neighbors;
 }
 
 /// `numbers`: the new one of each.
@@ -189,9 +189,9 @@ void RigidModePreconditioner::renumber_aggregates(const std::vector<int>& number
 
 void RigidModePreconditioner::allocate_coarse_matrix() {
   std::vector<int> row_starts = {0}, rows;
-  for (const std::vector<int>& neighbours : coarse_rows_)
+  for (const std::vector<int>& neighbors : coarse_rows_)
     for (int mode = 0; mode < 6; ++mode) {
-      for (int other : neighbours)
+      for (int other : neighbors)
         for (int i = 0; i < 6; ++i) rows.push_back(6 * other + i);
       row_starts.push_back(static_cast<int>(rows.size()));
     }
@@ -209,16 +209,16 @@ void RigidModePreconditioner::assemble_coarse_matrix(const BlockSparseMatrix& ma
   parallel_for(aggregate_count(), 4, [&](int begin, int end) {
     std::vector<RigidModes> products;  // A R of a row, per neighbouring aggregate
     for (int a = begin; a < end; ++a) {
-      const int neighbours = static_cast<int>(coarse_rows_[a].size());
+      const int neighbors = static_cast<int>(coarse_rows_[a].size());
       double* const first = coarse_.valuePtr() + coarse_.outerIndexPtr()[6 * a];
       for (int node : members_[a]) {
-        products.assign(neighbours, RigidModes::Zero());
+        products.assign(neighbors, RigidModes::Zero());
         for (int k = matrix.row_starts[node]; k < matrix.row_starts[node + 1]; ++k)
           if (coarse_slots_[k] >= 0)
             products[coarse_slots_[k]].noalias() += matrix.blocks[k] * rigid_modes(known_.arms.col(matrix.columns[k]));
         const RigidModes modes_here = rigid_modes(known_.arms.col(node));
-        for (int slot = 0; slot < neighbours; ++slot)
-          CoarseBlock(first + 6 * slot, 6, 6, Eigen::OuterStride<>(6 * neighbours)) +=
+        for (int slot = 0; slot < neighbors; ++slot)
+          CoarseBlock(first + 6 * slot, 6, 6, Eigen::OuterStride<>(6 * neighbors)) +=
               products[slot].transpose() * modes_here;
       }
     }

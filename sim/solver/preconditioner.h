@@ -40,7 +40,7 @@ using SingleVectors = std::vector<simd::Quad>;
 /// nodes (additive Schwarz). With it the iteration count depends neither on stiffness nor on cracks. Where the coarse
 /// matrix cannot be factored, because A has broken down, z = D⁻¹ r alone.
 ///   A  the system matrix      D  its 3×3 block diagonal
-///   R  one 3×6 block a node: [I, −[x − c]×/l], c the aggregate's centre, l the mean size of an aggregate, so that all
+///   R  one 3×6 block a node: [I, −[x − c]×/l], c the aggregate's center, l the mean size of an aggregate, so that all
 ///      modes are of a kind whatever the size of the body; rows after those of nodes, of edges, have no part in it
 class RigidModePreconditioner {
  public:
@@ -92,7 +92,7 @@ class RigidModePreconditioner {
   void assemble_coarse_matrix(const BlockSparseMatrix& matrix);
   void factor_coarse_matrix();
   void renumber_aggregates(const std::vector<int>& numbers);
-  std::vector<std::vector<int>> coarse_neighbours(const BlockSparseMatrix& matrix) const;
+  std::vector<std::vector<int>> coarse_neighbors(const BlockSparseMatrix& matrix) const;
   template <class Vectors>
   std::vector<simd::Lanes> solve_coarse(const Vectors& r) const;
 
@@ -100,7 +100,7 @@ class RigidModePreconditioner {
   std::vector<std::vector<int>> members_;      // per aggregate: its nodes, ascending
   Fingerprint known_;                          // of the matrix that was assembled last
   bool is_patched_ = false;                    // since then
-  std::vector<std::vector<int>> coarse_rows_;  // per aggregate: itself and its neighbours of a higher number
+  std::vector<std::vector<int>> coarse_rows_;  // per aggregate: itself and its neighbors of a higher number
   std::vector<int> coarse_slots_;              // per block of the matrix: index into the column's coarse_rows_, or -1
   Eigen::SparseMatrix<double> coarse_;         // Rᵀ A R: the lower triangle, by 6×6 blocks
   CopyableCholesky coarse_factors_;

@@ -8,7 +8,7 @@ namespace griffith {
 struct RigidMotion {
   double mass = 0;                       ///< [kg]
   Vec3 center = Vec3::Zero();            ///< of mass [m]
-  Mat3 inertia = Mat3::Zero();           ///< about the centre, world frame [kg·m²]
+  Mat3 inertia = Mat3::Zero();           ///< about the center, world frame [kg·m²]
   Vec3 velocity = Vec3::Zero();          ///< [m/s]
   Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
 
@@ -20,7 +20,7 @@ struct RigidMotion {
 /// They must not all lie on one line.
 RigidMotion rigid_motion(const NodeVectors& positions, const NodeVectors& velocities, const Eigen::VectorXd& masses);
 
-/// What the six rigid motions, unit velocities along the axes and unit turns about them, are at an arm from the centre:
+/// What the six rigid motions, unit velocities along the axes and unit turns about them, are at an arm from the center:
 /// [I, −[arm]×].
 using RigidModes = Eigen::Matrix<double, 3, 6>;
 inline RigidModes rigid_modes(const Vec3& arm) {

@@ -57,7 +57,7 @@ struct SinglePrecisionSystem {
 
   double precondition() { return preconditioner.apply(r, z); }
   void begin() { p = z; }
-  void turn(double factor) {
+  void update_direction(double factor) {
     parallel_for(static_cast<int>(p.size()), 4096, [&](int begin, int end) {
       for (int i = begin; i < end; ++i) p[i] = z[i] + static_cast<float>(factor) * p[i];
     });
@@ -76,7 +76,7 @@ struct SinglePrecisionSystem {
       return sum;
     });
   }
-  double go_along(double step) {
+  double advance_solution(double step) {
     return parallel_sum(static_cast<int>(x.size()), [&](int begin, int end) {
       double sum = -0.0;
       for (int i = begin; i < end; ++i) {
@@ -93,11 +93,11 @@ struct SinglePrecisionSystem {
 
 int solve_in_single_precision(const BlockSparseMatrix& a, const RigidModePreconditioner& preconditioner,
                               const NodeVectors& r, double target, int max_iterations,
-                              const std::function<bool()>& given_up, NodeVectors& d) {
+                              const std::function<bool()>& cancelled, NodeVectors& d) {
   const double size = std::sqrt(griffith::dot(r, r));  // numbers near one neither overflow nor vanish
   SinglePrecisionSystem system{a, single(a.blocks), SinglePrecisionPreconditioner(preconditioner), single(r, 1 / size)};
   int iterations = 0;
-  iterate_conjugate_gradients(system, 1, target / size, max_iterations, given_up, iterations);
+  iterate_conjugate_gradients(system, 1, target / size, max_iterations, cancelled, iterations);
   d.resize(3, r.cols());
   for (Eigen::Index i = 0; i < d.cols(); ++i)
     for (int axis = 0; axis < 3; ++axis) d(axis, i) = size * static_cast<double>(system.x[i][axis]);

@@ -12,6 +12,6 @@ namespace griffith {
 /// iterations made. `d` is resized.
 int solve_in_single_precision(const BlockSparseMatrix& a, const RigidModePreconditioner& preconditioner,
                               const NodeVectors& r, double target, int max_iterations,
-                              const std::function<bool()>& given_up, NodeVectors& d);
+                              const std::function<bool()>& cancelled, NodeVectors& d);
 
 }  // namespace griffith

@@ -54,7 +54,7 @@ class StaticSolver {
   StaticStep places() const;
   void move(const StaticStep& start, const StaticStep& step, double fraction);
   double energy_gained(const Balance& before, const Balance& after, const StaticStep& step, double fraction) const;
-  bool given_up() const { return settings_.given_up && settings_.given_up(); }
+  bool cancelled() const { return settings_.cancelled && settings_.cancelled(); }
   Balance first_step(const Balance& start);
   bool search_line(Balance& now, const StaticStep& step);
   void finish(const Balance& balance);
@@ -65,7 +65,7 @@ class StaticSolver {
   std::span<ElementState> states_;
   std::vector<NodeId> nodes_;  // the body's
   Vec3 center_;
-  double radius_;  // root mean square distance from the centre
+  double radius_;  // root mean square distance from the center
   ModeCombinations free_motions_;
   std::vector<NodeConstraint> still_;  // the problem's and pins, at no velocity
   std::vector<int> rows_, edge_rows_;
@@ -238,9 +238,9 @@ StaticStep StaticSolver::newton_step(const Balance& now, std::span<const NodeCon
   constexpr int kManyRows = 3000, kMore = 20;
   const int iterations =
       (system_->edges().empty() || system_->rows() < kManyRows ? 1 : kMore) * settings_.max_iterations;
-  const SolveReport linear = system_->solve_projected(constraints, kTolerance, iterations, b, x, settings_.given_up);
+  const SolveReport linear = system_->solve_projected(constraints, kTolerance, iterations, b, x, settings_.cancelled);
   report_.linear_iterations += linear.iterations;
-  if (!linear.converged && !given_up()) report_.factorizations += system_->solve_directly(constraints, b, x);
+  if (!linear.converged && !cancelled()) report_.factorizations += system_->solve_directly(constraints, b, x);
   StaticStep step{std::vector<Vec3>(positions_.size(), Vec3::Zero()),
                   std::vector<Vec3>(edge_rows_.size(), Vec3::Zero())};
   for (NodeId node : nodes_) {
@@ -322,7 +322,7 @@ StaticReport StaticSolver::solve() {
   if (!report_.converged) {
     now = first_step(now);
     const auto target = [&] { return std::max(settings_.relative_residual * scale(now), rounding_level()); };
-    while (now.norm > target() && report_.newton_steps < settings_.max_newton_steps && !given_up()) {
+    while (now.norm > target() && report_.newton_steps < settings_.max_newton_steps && !cancelled()) {
       ++report_.newton_steps;
       if (!search_line(now, newton_step(now, still_))) break;
     }

@@ -41,7 +41,7 @@ struct StaticSettings {
   int max_newton_steps = 60;
   int max_iterations = 1000;  ///< of conjugate gradients for a Newton step, 20 times as many for large quadratic
                               ///< bodies; a sparse factorisation takes over after
-  std::function<bool()> given_up = {};  ///< asked again and again: the answer is not wanted any more
+  std::function<bool()> cancelled = {};  ///< asked again and again: the answer is not wanted any more
 };
 
 struct StaticReport {

@@ -36,22 +36,22 @@ class Builder {
   Builder(const TetMesh& mesh, const CellPartition& cells, const Monitor& monitor)
       : mesh_(mesh), cells_(cells), monitor_(monitor), fragments_(make_fragments(mesh, cells, monitor)) {
     contacts_ = find_contacts(mesh, cells, fragments_);
-    require_wanted();
+    require_not_cancelled();
     groups_ = group_fragments(cells, fragments_, contacts_);
-    require_wanted();
+    require_not_cancelled();
   }
 
   SplinterSet build() {
     make_parts();
     make_owners();
     make_links();
-    require_wanted();
+    require_not_cancelled();
     make_faces();
     return std::move(set_);
   }
 
  private:
-  void require_wanted() const {
+  void require_not_cancelled() const {
     if (monitor_.is_cancelled()) throw Cancelled();
   }
 
@@ -108,12 +108,12 @@ class Builder {
     for (const FragmentContact& contact : contacts_) ++first_contact[contact.a + 1];
     std::partial_sum(first_contact.begin(), first_contact.end(), first_contact.begin());
     for (const int i : order_) {
-      require_wanted();
+      require_not_cancelled();
       const Fragment& fragment = fragments_[i];
       SplinterPart& part = set_.parts[part_of_[i]];
       if (part.faces == 0) part.first_face = static_cast<int>(set_.faces.size());
       for (const PolyhedronFace& face : fragment.polyhedron.faces)
-        if (face.tet_face >= 0 && !mesh_.neighbours[fragment.tet][face.tet_face].valid())
+        if (face.tet_face >= 0 && !mesh_.neighbors[fragment.tet][face.tet_face].valid())
           add_face(i, face, outline_of(fragment, face), -1);
       for (int c = first_contact[i]; c < first_contact[i + 1]; ++c) {
         const FragmentContact& contact = contacts_[c];

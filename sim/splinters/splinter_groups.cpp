@@ -134,7 +134,7 @@ std::vector<FragmentContact> find_contacts(const TetMesh& mesh, const CellPartit
     const std::vector<PolyhedronFace>& faces = fragments[i].polyhedron.faces;
     for (std::size_t f = 0; f < faces.size(); ++f) {
       const int tet_face = faces[f].tet_face;
-      const TetId beyond = tet_face < 0 ? fragments[i].tet : mesh.neighbours[fragments[i].tet][tet_face];
+      const TetId beyond = tet_face < 0 ? fragments[i].tet : mesh.neighbors[fragments[i].tet][tet_face];
       if (!beyond.valid()) continue;
       add_contacts(cells, fragments, table, beyond,
                    {static_cast<int>(i), -1, tet_face, faces[f].wall >= 0, static_cast<int>(f)}, contacts);

@@ -60,13 +60,13 @@ struct ProjectileView {
 
 /// Milliseconds of the phases of one step; for display and statistics, never for decisions.
 struct StepTimings {
-  double step = 0, contact = 0, elasticity = 0, shock = 0, separation = 0, fracture = 0;
+  double step = 0, contact = 0, elasticity = 0, explicit_dynamics = 0, separation = 0, fracture = 0;
 };
 
 /// What happened in a step; every limit that was reached and every number that went wrong is counted here.
 struct StepReport {
   int substeps = 1;
-  int microsteps = 0;         ///< of bodies in shock
+  int microsteps = 0;         ///< of bodies in explicit dynamics
   double microstep_work = 0;  ///< of microsteps, counted, not timed [ms of a usual core]
   int contacts = 0;
   double peak_utilization = 0;       ///< highest utilization of any node in any substep
@@ -117,8 +117,8 @@ struct Frame {
   };
   /// Per tet of the mesh.
   struct Elements {
-    std::span<const std::array<NodeId, 4>> tets;       ///< corners; face i opposite corner i (kTetFaces)
-    std::span<const std::array<TetId, 4>> neighbours;  ///< behind face i; invalid on the surface
+    std::span<const std::array<NodeId, 4>> tets;      ///< corners; face i opposite corner i (kTetFaces)
+    std::span<const std::array<TetId, 4>> neighbors;  ///< behind face i; invalid on the surface
     std::span<const BodyId> bodies;
     std::span<const std::uint8_t> first_surface;    ///< bit i: face i was on the surface at the start
     std::span<const std::array<double, 4>> opened;  ///< when a crack opened face i [s], else not a number

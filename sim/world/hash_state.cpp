@@ -80,7 +80,7 @@ std::uint64_t hash_of_separations(const WorldState& world) {
 
 std::uint64_t hash_of_cracks(const WorldState& world) {
   FieldHash hash;
-  hash.add(*world.elements.opened).add(world.mesh->neighbours).add(world.nodes.at_crack_front);
+  hash.add(*world.elements.opened).add(world.mesh->neighbors).add(world.nodes.at_crack_front);
   static_assert(sizeof(OverloadHistory) == 3 * sizeof(double), "it has no padding");
   hash.add(world.nodes.pushed_at).add(world.nodes.overloads).add_real(world.overload_check);
   hash.add(world.splinter_state.open_walls).add(world.splinter_state.attached);
@@ -94,19 +94,20 @@ void add_body(const Body& body, FieldHash& hash) {
   const RigidMotion& motion = body.motion;
   hash.add_whole(body.id, body.parent, body.scene_body, body.tets.size(), body.rigid, body.asleep, body.quiet_steps);
   hash.add_real(motion.mass, motion.center, motion.inertia, motion.velocity, motion.angular_velocity);
-  hash.add_real(body.orientation, body.shock_ended);
+  hash.add_real(body.orientation, body.explicit_ended);
   hash.add_real(body.rest.time, body.rest.place.translation, body.rest.place.rotation, body.rest.peak_utilization);
-  for (const ContactLoad& load : body.harmless) hash.add_whole(load.other).add_real(load.force);
-  if (body.untouched) hash.add_whole(body.untouched);
-  hash.add_whole(body.shock.has_value());
-  if (const auto& shock = body.shock)
-    hash.add_real(shock->last_event, shock->impact_speed, shock->frequency, shock->similarity);
+  for (const ContactLoad& load : body.known_contact_loads) hash.add_whole(load.other).add_real(load.force);
+  if (body.ballistic) hash.add_whole(body.ballistic);
+  hash.add_whole(body.explicit_state.has_value());
+  if (const auto& explicit_state = body.explicit_state)
+    hash.add_real(explicit_state->last_event, explicit_state->impact_speed, explicit_state->frequency,
+                  explicit_state->similarity);
 }
 
 std::uint64_t hash_of_bodies(const WorldState& world) {
   FieldHash hash;
   for (const Body& body : world.bodies) add_body(body, hash);
-  hash.add(world.nodes.similarity_starts).add_real(world.last_microstep_work, world.shock_overhead);
+  hash.add(world.nodes.similarity_starts).add_real(world.last_microstep_work, world.explicit_overhead);
   return hash.value();
 }
 

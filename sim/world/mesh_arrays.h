@@ -33,9 +33,10 @@ struct NodeArrays {
   std::vector<double> strength_factors;      ///< what flaws leave of the strength [-]; 1 without scatter
   std::vector<int> rows;                     ///< row in the system of the node's body, -1 for held ones
   std::vector<NodeSeparation> separations;
-  std::vector<Vec3> reactions;          ///< what supports did to the node in the last step [N]
-  std::vector<Vec3> similarity_starts;  ///< of bodies in shock with f < 1: displacement from rest at its start [m]
-  std::vector<double> pushed_at;        ///< when something pushed it hard in a shock last [s]; −∞: never
+  std::vector<Vec3> reactions;  ///< what supports did to the node in the last step [N]
+  std::vector<Vec3>
+      similarity_starts;  ///< of bodies in explicit dynamics with f < 1: displacement from rest at its start [m]
+  std::vector<double> pushed_at;  ///< when something pushed it hard in explicit dynamics last [s]; −∞: never
   std::vector<OverloadHistory> overloads;
 
   /// Makes room for as many nodes; new ones are at the origin, at rest and without mass.
@@ -91,9 +92,9 @@ struct ElementArrays {
 
   /// Strains without stress; empty until allow_strains(): in what only sways or lies they would all be zero.
   std::vector<Mat3> plastic_strains;     ///< in rest space, traceless [-]
-  std::vector<Mat3> similarity_strains;  ///< of bodies in shock, beside the plastic one [-]
+  std::vector<Mat3> similarity_strains;  ///< of bodies in explicit dynamics, beside the plastic one [-]
 
-  /// Makes room for strains: before a body enters a shock, or where a material yields.
+  /// Makes room for strains: before a body enters explicit dynamics, or where a material yields.
   void allow_strains();
   Mat3 plastic_strain(TetId tet) const { return plastic_strains.empty() ? Mat3(Mat3::Zero()) : plastic_strains[tet]; }
   /// The strain of an element without stress: plastic, and that which scaling made so [-].

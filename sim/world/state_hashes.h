@@ -13,7 +13,7 @@ namespace griffith {
 ///   stresses     of elements, and strains without stress
 ///   separations  separation tensors of nodes with what they are judged by, forces of supports
 ///   cracks       faces that opened, crack fronts, cracks put off, walls of splinters
-///   bodies       motion, rest and shock of pieces
+///   bodies       motion, rest and explicit dynamics of pieces
 ///   projectiles  motion, and shots that are still to come
 ///   contacts     what is remembered of them, and who sleeps
 ///   energy       the account

@@ -8,6 +8,9 @@
 
 #include "sim/world/conditions/projectiles.h"
 #include "sim/world/energy/energy_phase.h"
+#include "sim/world/explicit/explicit_obstacles.h"
+#include "sim/world/explicit/explicit_regime.h"
+#include "sim/world/explicit/similarity.h"
 #include "sim/world/phases/contact_phase.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/equilibrium.h"
@@ -18,9 +21,6 @@
 #include "sim/world/phases/rest_phase.h"
 #include "sim/world/phases/separation_phase.h"
 #include "sim/world/publish.h"
-#include "sim/world/shock/shock_obstacles.h"
-#include "sim/world/shock/shock_phase.h"
-#include "sim/world/shock/similarity.h"
 #include "sim/world/world.h"
 #include "sim/world/world_impl.h"
 #include "sim/world/world_state.h"
@@ -51,7 +51,7 @@ void fracture(WorldState& world, double substep) {
   open_cracks(world, substep);
 }
 
-/// Contacts and motion of everything but the bodies in shock.
+/// Contacts and motion of everything but the bodies in explicit dynamics.
 void move(WorldState& world, double dt) {
   StepTimings& timings = world.report.milliseconds;
   update_supports(world, world.time, dt);
@@ -77,7 +77,7 @@ void move(WorldState& world, double dt) {
   }
 }
 
-void substep(WorldState& world, double dt) {
+void take_substep(WorldState& world, double dt) {
   move(world, dt);
   world.time += dt;
   fracture(world, dt);
@@ -90,7 +90,7 @@ void step_explicitly(WorldState& world, double time_step) {
   for (double left = time_step; left > 0; ++world.report.substeps) {
     const double count = std::max(1.0, std::ceil((1 - kRounding) * left / stable_substep(world)));
     const double dt = left / count;
-    substep(world, dt);
+    take_substep(world, dt);
     left = count > 1 ? left - dt : 0;
   }
   rigidify_quiet_bodies(world);
@@ -104,7 +104,7 @@ void step_implicitly(WorldState& world, double time_step) {
   world.report.substeps = 0;
   for (const double dt : {is_cut ? impact : 0, is_cut ? time_step - impact : time_step}) {
     if (dt == 0) continue;
-    substep(world, dt);
+    take_substep(world, dt);
     ++world.report.substeps;
   }
   rigidify_quiet_bodies(world);
@@ -116,59 +116,60 @@ void make_elements_own(WorldState& world) {
   world.elements.states.edit(), world.elements.stresses.edit(), world.elements.quadratic_states.edit();
 }
 
-/// Moves everything on by `stretch` [s]: by microsteps what is in shock, all else by one implicit substep. False where
-/// the microsteps would take more than `max_work`: the world is of no use then.
-bool move_along(WorldState& world, double stretch, double max_work) {
-  const std::vector<shock::Obstacle> obstacles = obstacles_of_shock(world, stretch);
-  move(world, stretch);
-  if (!in_shock(world)) return true;
-  PhaseTimer timer(world.report.milliseconds.shock);
-  if (!run_shock(world, obstacles, stretch, max_work)) return false;
+/// Moves everything on by `substep` [s]: by microsteps what is in explicit dynamics, all else by one implicit substep.
+/// False where the microsteps would take more than `max_work`: the world is of no use then.
+bool move_along(WorldState& world, double substep, double max_work) {
+  const std::vector<explicit_dynamics::Obstacle> obstacles = reachable_obstacles(world, substep);
+  move(world, substep);
+  if (!any_explicit(world)) return true;
+  PhaseTimer timer(world.report.milliseconds.explicit_dynamics);
+  if (!run_explicit(world, obstacles, substep, max_work)) return false;
   place_proxies(world);
   return true;
 }
 
-/// Moves everything on by `stretch` [s]. Where that takes more than half of the work that is left for microsteps in
+/// Moves everything on by `substep` [s]. Where that takes more than half of the work that is left for microsteps in
 /// this step, all is as it was before, but for what is known of their cost: impacts and cracks make it hard to foresee.
-bool move_within_ceiling(WorldState& world, double stretch) {
+bool move_within_ceiling(WorldState& world, double substep) {
   constexpr double kUncertainty = 16;  // contacts, checks and cracks may take so many times what was expected
   const double max_work = 0.5 * work_left(world);
-  if (kUncertainty * expected_work(world, stretch) < max_work)
-    return move_along(world, stretch, std::numeric_limits<double>::infinity());
+  if (kUncertainty * expected_work(world, substep) < max_work)
+    return move_along(world, substep, std::numeric_limits<double>::infinity());
   const WorldState before = world;
   make_elements_own(world);
-  if (move_along(world, stretch, max_work)) return true;
-  const double work = world.scratch.microstep_work, overhead = world.shock_overhead;
+  if (move_along(world, substep, max_work)) return true;
+  const double work = world.scratch.microstep_work, overhead = world.explicit_overhead;
   world = before;
   world.scratch.microstep_work = work;
-  world.shock_overhead = overhead;
+  world.explicit_overhead = overhead;
   return false;
 }
 
-/// In stretches: up to the next impact, and while waves run in what was struck or cracks. Bodies in shock take
-/// microsteps through a stretch, all else one implicit substep, after which what is too soft for microsteps cracks.
-void step_by_stretches(WorldState& world, double time_step) {
+/// In substeps: up to the next impact, and while waves run in what was struck or cracks. Bodies in explicit dynamics
+/// take microsteps through a substep, all else one implicit substep, after which what is too soft for microsteps
+/// cracks.
+void step_in_substeps(WorldState& world, double time_step) {
   constexpr double kRounding = 1e-9;
   world.report.substeps = 0;
   world.scratch.microstep_work = 0;
   StepImpacts impacts;
   for (double left = time_step; left > kRounding * time_step; ++world.report.substeps) {
-    const double start = world.time, stretch = next_stretch(world, left, impacts);
+    const double start = world.time, substep = next_substep(world, left, impacts);
     {
-      PhaseTimer timer(world.report.milliseconds.shock);
-      impacts.follow_alone(world, stretch);
+      PhaseTimer timer(world.report.milliseconds.explicit_dynamics);
+      impacts.follow_alone(world, substep);
     }
-    if (!move_within_ceiling(world, stretch)) continue;
+    if (!move_within_ceiling(world, substep)) continue;
     impacts.catch_up(world);
-    world.time = start + stretch;
-    left -= stretch;
-    leave_shock(world);
+    world.time = start + substep;
+    left -= substep;
+    end_explicit_if_quiet(world);
     {
       PhaseTimer timer(world.report.milliseconds.separation);
       evaluate_separation(world, true);
-      enter_overloaded_bodies(world);
+      begin_explicit_if_overloaded(world);
     }
-    if (world.model->scene.simulation.fracture) open_cracks(world, stretch);
+    if (world.model->scene.simulation.fracture) open_cracks(world, substep);
   }
   world.last_microstep_work = world.scratch.microstep_work;
   world.report.microstep_work = 1e-3 * (world.scratch.microstep_work + impacts.work());
@@ -224,7 +225,7 @@ bool all_lie_asleep(const WorldState& world) {
 
 void step_by_settings(WorldState& world, double time_step, double last_peak) {
   const SimulationSettings& settings = world.model->scene.simulation;
-  if (world.model->scene.analysis == Analysis::equilibrium) {
+  if (world.model->scene.analysis == Analysis::static_) {
     if (stays_in_equilibrium(world, world.time, time_step)) {
       world.report.peak_utilization = last_peak;
     } else {
@@ -233,7 +234,7 @@ void step_by_settings(WorldState& world, double time_step, double last_peak) {
   } else if (world.integrates_explicitly()) {
     step_explicitly(world, time_step);
   } else if (settings.integrator == Integrator::hybrid) {
-    step_by_stretches(world, time_step);
+    step_in_substeps(world, time_step);
   } else {
     step_implicitly(world, time_step);
   }
@@ -249,7 +250,7 @@ void advance(WorldState& world) {
   world.contact_views.clear();
   world.energy_before = world.energy;
   for (Body& body : world.bodies)
-    if (!body.shock) body.scaled.reset();
+    if (!body.explicit_state) body.scaled.reset();
   bool asleep = false;
   {
     PhaseTimer timer(world.report.milliseconds.step);

@@ -7,6 +7,7 @@
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/conditions/projectiles.h"
 #include "sim/world/energy/energy_phase.h"
+#include "sim/world/explicit/explicit_regime.h"
 #include "sim/world/hash_state.h"
 #include "sim/world/phases/contact_phase.h"
 #include "sim/world/phases/elastic_phase.h"
@@ -17,7 +18,6 @@
 #include "sim/world/publish.h"
 #include "sim/world/setup/build_world.h"
 #include "sim/world/setup/check_elements.h"
-#include "sim/world/shock/shock_phase.h"
 #include "sim/world/world_impl.h"
 #include "sim/world/world_state.h"
 
@@ -28,7 +28,7 @@ namespace {
 void change_bodies(WorldState& world, int scene_body) {
   for (Body& body : world.bodies) {
     if (body.scene_body != scene_body) continue;
-    if (body.shock) end_shock(world, body);
+    if (body.explicit_state) end_explicit(world, body);
     for (NodeId node : body.nodes) world.nodes.masses[node] = node_mass(world, node);
     for (EdgeId edge : body.edges) world.edges.masses[edge] = edge_mass(world, edge);
     rebuild_body(world, body);
@@ -47,7 +47,8 @@ bool differ_in_resistance_alone(Material a, const Material& b) {
 
 void change_resistance(WorldState& world, int scene_body) {
   for (const Body& body : world.bodies)
-    if (body.scene_body == scene_body) world.contact_world.set_impact_speed(body.proxy, hurting_speed(world, body));
+    if (body.scene_body == scene_body)
+      world.contact_world.set_impact_speed(body.proxy, harmful_impact_speed(world, body));
 }
 
 /// Before the first step: the undeformed shape again, from which the static start is found.
@@ -64,7 +65,7 @@ void restore_start(WorldState& world, int scene_body) {
 }
 
 /// Under the material that is in force now; what was put off is forgotten, since another would have to open.
-void judge_anew(WorldState& world, int scene_body) {
+void reevaluate_separation(WorldState& world, int scene_body) {
   std::erase_if(world.postponed,
                 [&](const PostponedCrack& crack) { return body_at(world, crack.node).scene_body == scene_body; });
   for (const Body& body : world.bodies)
@@ -79,8 +80,8 @@ std::size_t mesh_memory(const TetMesh& mesh) {
 
 }  // namespace
 
-World::World(const Scene& scene, const Monitor& monitor) : World(scene, GivenMeshes(), monitor) {}
-World::World(const Scene& scene, const GivenMeshes& meshes, const Monitor& monitor)
+World::World(const Scene& scene, const Monitor& monitor) : World(scene, InMemoryMeshes(), monitor) {}
+World::World(const Scene& scene, const InMemoryMeshes& meshes, const Monitor& monitor)
     : impl_(std::make_unique<Impl>(build_world(scene, monitor, meshes))) {}
 World::~World() = default;
 World::World(const World& other) : impl_(std::make_unique<Impl>(*other.impl_)) {
@@ -108,7 +109,7 @@ Frame World::frame() const {
   frame.nodes.separations = world.nodes.separations;
   frame.nodes.reactions = world.nodes.reactions;
   frame.elements.tets = world.mesh->tets;
-  frame.elements.neighbours = world.mesh->neighbours;
+  frame.elements.neighbors = world.mesh->neighbors;
   frame.elements.bodies = world.elements.bodies;
   frame.elements.first_surface = world.elements.first_surface;
   frame.elements.opened = world.elements.opened;
@@ -168,8 +169,8 @@ void World::set_material(int scene_body, const Material& material) {
     place_proxies(world);
   }
   update_elements(world);
-  judge_anew(world, scene_body);
-  book_edit(world, before);
+  reevaluate_separation(world, scene_body);
+  account_edit(world, before);
   publish(world);
 }
 

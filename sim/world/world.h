@@ -7,7 +7,7 @@
 #include "sim/core/monitor.h"
 #include "sim/scene/scene.h"
 #include "sim/world/frame.h"
-#include "sim/world/setup/given_meshes.h"
+#include "sim/world/setup/in_memory_meshes.h"
 #include "sim/world/state_hashes.h"
 
 namespace griffith {
@@ -20,7 +20,7 @@ class World {
   /// monitor, which is told of work that may last, says so.
   explicit World(const Scene& scene, const Monitor& monitor = {});
   /// Builds it with meshes from memory in place of those files.
-  World(const Scene& scene, const GivenMeshes& meshes, const Monitor& monitor = {});
+  World(const Scene& scene, const InMemoryMeshes& meshes, const Monitor& monitor = {});
   ~World();
   /// Copies a world as it is between two steps: both go on alike, to the bit. So a copy is a snapshot to come back to,
   /// or a branch. What never changes is shared.

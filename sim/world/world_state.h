@@ -11,7 +11,7 @@
 #include "sim/core/copy_on_write.h"
 #include "sim/core/error.h"
 #include "sim/elasticity/element.h"
-#include "sim/fracture/star_sums.h"
+#include "sim/fracture/node_load_sums.h"
 #include "sim/geometry/convex_hull.h"
 #include "sim/mesh/topology.h"
 #include "sim/scene/scene.h"
@@ -28,13 +28,13 @@
 
 namespace griffith {
 
-/// A body whose waves are resolved by microsteps (shock_run.h).
-struct Shock {
+/// A body whose waves are resolved by microsteps (explicit_run.h).
+struct ExplicitState {
   double last_event = 0;    ///< when something struck it hard or cracked in it last [s]
   double impact_speed = 0;  ///< of what struck it [m/s]
   double frequency = 0;     ///< highest of its elements under the full stiffness, slivers relieved [rad/s]
   double similarity = 1;    ///< f (similarity.h), 0..1
-  int group = 0;            ///< those of one group are followed together; 0: in the stretches that all share
+  int group = 0;            ///< those of one group are followed together; 0: in the substeps that all share
 };
 
 /// What another object did to a body in a substep.
@@ -46,7 +46,7 @@ struct ContactLoad {
 /// For how long a swaying body has been at rest, and how it was when that began.
 struct Rest {
   double time = 0;              ///< [s]
-  Pose place;                   ///< of its centre of mass
+  Pose place;                   ///< of its center of mass
   double peak_utilization = 0;  ///< of its nodes
 };
 
@@ -61,13 +61,13 @@ struct RigidStart {
 /// A connected piece of elastic material and its proxy in the contact world.
 struct alignas(64) Body {
   // What a step asks of every body, awake or not, in one line of the cache.
-  std::optional<Shock> shock;
+  std::optional<ExplicitState> explicit_state;
   BodyId id, parent;
   ProxyId proxy;
   int quiet_steps = 0;        ///< steps in a row with next to no stress
   bool rigid = false;         ///< moves as a whole: nothing about it is elastic until it is hit
   bool quasi_static = false;  ///< touches as a rigid body; its deformation follows what acts on it without waves
-  bool untouched = false;     ///< rigid for less than 20 steps in free flight: elastic once touched
+  bool ballistic = false;     ///< rigid for less than 20 steps in free flight: elastic once touched
   bool asleep = false;        ///< lies still, under whatever stress there is, until something disturbs it
 
   RigidMotion motion;                   ///< mass, momentum and inertia of the nodes now
@@ -76,29 +76,29 @@ struct alignas(64) Body {
   std::vector<TetId> tets;    ///< ascending
   std::vector<NodeId> nodes;  ///< ascending, held ones too
   std::vector<SurfaceFace> surface;
-  NodeVectors reference_arms;     ///< nodes relative to the centre of mass when the shape was made [m]
+  NodeVectors reference_arms;     ///< nodes relative to the center of mass when the shape was made [m]
   std::vector<EdgeId> edges;      ///< ascending; none of a body with linear tets
   NodeVectors reference_offsets;  ///< of `edges`, when it was made rigid [m]
   Boxed<ElasticSystem> system;
-  std::vector<ConvexPart> collision_parts;  ///< of the proxy, for the frame [m]
-  double highest_frequency = 0;             ///< [rad/s]; 0 until explicit integration asks for it
-  double element_size = 0;                  ///< edge length of the cubes that six of its tets would fill, mean [m]
-  double extent = 0;                        ///< longest edge of the box round it at rest [m]
-  double weakest_fraction = 1;              ///< of its material's resistance, at its weakest node and plane [-]
-  std::optional<ScaledImpact> scaled;       ///< of the last step, if any
-  double energy = 0;                        ///< kinetic and elastic, when the substep began [J]
-  double contact_work = 0;                  ///< of the contacts in the substep, at the velocities after it [J]
-  RigidStart start;                         ///< of the present substep
-  std::vector<ContactLoad> harmless;        ///< of a rigid body: what it carried when it was calm, by object
-  Rest rest;                                ///< of one that sways
-  double shock_ended = -std::numeric_limits<double>::infinity();  ///< when it left its last shock [s]
+  std::vector<ConvexPart> collision_parts;       ///< of the proxy, for the frame [m]
+  double highest_frequency = 0;                  ///< [rad/s]; 0 until explicit integration asks for it
+  double element_size = 0;                       ///< edge length of the cubes that six of its tets would fill, mean [m]
+  double extent = 0;                             ///< longest edge of the box round it at rest [m]
+  double weakest_fraction = 1;                   ///< of its material's resistance, at its weakest node and plane [-]
+  std::optional<ScaledImpact> scaled;            ///< of the last step, if any
+  double energy = 0;                             ///< kinetic and elastic, when the substep began [J]
+  double contact_work = 0;                       ///< of the contacts in the substep, at the velocities after it [J]
+  RigidStart start;                              ///< of the present substep
+  std::vector<ContactLoad> known_contact_loads;  ///< of a rigid body: what it carried when it was calm, by object
+  Rest rest;                                     ///< of one that sways
+  double explicit_ended = -std::numeric_limits<double>::infinity();  ///< when it left explicit dynamics [s]
 
   /// As BodyView::broke_scaled: decides nothing, so that it is not hashed.
   std::optional<ScaledImpact> broke_scaled;
 
   bool supported() const { return !system->is_free(); }
   /// Whether the implicit step moves it.
-  bool sways() const { return !rigid && !shock && !asleep; }
+  bool is_deformable() const { return !rigid && !explicit_state && !asleep; }
 };
 
 struct Projectile {
@@ -134,7 +134,7 @@ struct SubstepStart {
 struct Scratch {
   SubstepStart substep_start;
   double microstep_work = 0;                   ///< of the step so far, in microseconds of a usual core
-  std::vector<StarSums> stars;                 ///< per node: what separation follows from
+  std::vector<NodeLoadSums> node_load_sums;    ///< per node: what separation follows from
   std::vector<simd::WideQuad> elastic_forces;  ///< per node, in the first three lanes [N]
   std::vector<Vec3> edge_forces;               ///< per edge [N]
   std::vector<Vec3> contact_impulses;          ///< per node of elastic bodies, in the substep [N·s]
@@ -181,13 +181,13 @@ struct WorldState {
   Totals totals;
   EnergyAccount energy, energy_before;  ///< so far; before the present step
   double last_microstep_work = 0;       ///< Scratch::microstep_work of the last step
-  double shock_overhead = 1;            ///< work of the last stretch's shock over that of its elements alone [-]
-  bool in_equilibrium = false;          ///< static analysis: the last step found it, and nothing was left to crack
+  double explicit_overhead = 1;  ///< work of the last substep's explicit dynamics over that of its elements alone [-]
+  bool in_equilibrium = false;   ///< static analysis: the last step found it, and nothing was left to crack
   double overload_check = OverloadHistory::kNever;  ///< when microsteps checked for overload last [s]
   double potential_at_start = 0;                    ///< of gravity, with what was launched since [J]
   Scratch scratch;
 
-  bool integrates_explicitly() const { return model->scene.simulation.integrator == Integrator::symplectic_euler; }
+  bool integrates_explicitly() const { return model->scene.simulation.integrator == Integrator::explicit_; }
   /// Whose proxy this is; invalid for projectiles and the ground.
   BodyId body_of(ProxyId proxy) const {
     const auto index = static_cast<std::size_t>(proxy.index());

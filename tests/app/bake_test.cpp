@@ -223,7 +223,7 @@ class PartedBlocks {
       body_of_.push_back(BodyId(is_right(tet)));
       std::array<double, 4>& opened = opened_.emplace_back();
       for (int face = 0; face < 4; ++face) {
-        const TetId beyond = frame_.elements.neighbours[tet][face];
+        const TetId beyond = frame_.elements.neighbors[tet][face];
         opened[face] = beyond.valid() && is_right(beyond) != is_right(tet) ? 0.25 : std::nan("");
       }
     }

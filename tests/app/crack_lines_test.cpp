@@ -31,23 +31,23 @@ struct TwoTets {
   std::vector<std::array<NodeId, 4>> tets;
   std::vector<BodyId> bodies = {BodyId(std::int64_t{0}), BodyId(std::int64_t{0})};
   std::vector<std::uint8_t> first_surface = {0b1110, 0b1110};
-  std::vector<std::array<TetId, 4>> neighbours = std::vector<std::array<TetId, 4>>(2);
+  std::vector<std::array<TetId, 4>> neighbors = std::vector<std::array<TetId, 4>>(2);
   std::vector<CrackEvent> events = std::vector<CrackEvent>(1);
   Frame frame;
 };
 
 TEST(CrackLines, ACrackInOnePieceShowsWhereItComesToTheSurface) {
   TwoTets cut(true);
-  cut.frame.elements.neighbours = cut.neighbours;
+  cut.frame.elements.neighbors = cut.neighbors;
   EXPECT_EQ(cut.lines(), 3u);
 }
 
 TEST(CrackLines, NeitherWholeNorPartedPiecesHaveAny) {
   TwoTets whole(false);
-  whole.frame.elements.neighbours = whole.neighbours;
+  whole.frame.elements.neighbors = whole.neighbors;
   EXPECT_EQ(whole.lines(), 0u);
   TwoTets parted(true);
-  parted.frame.elements.neighbours = parted.neighbours;
+  parted.frame.elements.neighbors = parted.neighbors;
   parted.bodies[1] = BodyId(std::int64_t{1});
   EXPECT_EQ(parted.lines(), 0u);
 }

@@ -19,12 +19,12 @@ namespace {
 class CutFrame {
  public:
   explicit CutFrame(const Frame& whole)
-      : neighbors_(whole.elements.neighbours.begin(), whole.elements.neighbours.end()), frame_(whole) {
+      : neighbors_(whole.elements.neighbors.begin(), whole.elements.neighbors.end()), frame_(whole) {
     std::size_t face = 0;
     while (!neighbors_[tet_][face].valid())
       if (++face == 4) face = 0, ++tet_;
     neighbors_[tet_][face] = {};
-    frame_.elements.neighbours = neighbors_;
+    frame_.elements.neighbors = neighbors_;
   }
   CutFrame(const CutFrame&) = delete;
   CutFrame& operator=(const CutFrame&) = delete;

@@ -23,7 +23,7 @@ class ElasticPiecesTest : public EditorTest {
  protected:
   static Scene wall() {
     Scene scene = small_wall();
-    scene.simulation.integrator = Integrator::implicit_euler;
+    scene.simulation.integrator = Integrator::implicit;
     return scene;
   }
   ElasticPiecesTest() : EditorTest(wall()) {}

@@ -117,17 +117,17 @@ TEST(IncludeRules, LowerFoldersOfTheSimulationKnowNoHigherOnes) {
                                {"sim/contact", "^sim/(core|geometry|contact(/bullet)?)$"},
                                {"sim/contact/bullet", "^sim/(core|geometry|contact(/bullet)?)$"},
                                {"sim/splinters", "^sim/(core|geometry|mesh|meshing|splinters)$"},
-                               {"sim/shock", "^sim/(core|geometry|mesh|elasticity|solver|contact|shock)$"},
+                               {"sim/explicit", "^sim/(core|geometry|mesh|elasticity|solver|contact|explicit)$"},
                                {"sim/scene", "^sim/(core|mesh|meshing|elasticity|solver|fracture|splinters|scene)$"},
                                {"sim/timeline", "^sim/(scene|timeline|world)$"},
                                {"sim/recording", "^sim/(core|mesh|scene|world(/setup)?|timeline|recording)$"},
                                {"sim/world", "^sim/(?!timeline|recording).*$"},
-                               {"sim/world/setup", "^sim/(?!world/shock|shock).*$"},
-                               {"sim/world/conditions", "^sim/(?!world/shock|shock).*$"},
-                               {"sim/world/bodies", "^sim/(?!world/(shock|setup|conditions)|shock).*$"},
-                               {"sim/world/energy", "^sim/(?!world/(shock|setup|conditions)).*$"},
+                               {"sim/world/setup", "^sim/(?!world/explicit|explicit).*$"},
+                               {"sim/world/conditions", "^sim/(?!world/explicit|explicit).*$"},
+                               {"sim/world/bodies", "^sim/(?!world/(explicit|setup|conditions)|explicit).*$"},
+                               {"sim/world/energy", "^sim/(?!world/(explicit|setup|conditions)).*$"},
                                {"sim/world/phases", "^sim/.*$"},
-                               {"sim/world/shock", "^sim/(?!world/setup).*$"},
+                               {"sim/world/explicit", "^sim/(?!world/setup).*$"},
                            });
 }
 

@@ -152,12 +152,12 @@ TEST(Shards, AnyFrameShowsWhatFollowingAllCracksGives) {
   Scene authored = wall(0.02);
   authored.bodies[0].splinters = VoronoiSplinters{.size = 0.3};
   World world(authored);
-  const std::vector<std::array<TetId, 4>> neighbours(world.frame().elements.neighbours.begin(),
-                                                     world.frame().elements.neighbours.end());
+  const std::vector<std::array<TetId, 4>> neighbors(world.frame().elements.neighbors.begin(),
+                                                    world.frame().elements.neighbors.end());
   TetMesh mesh;
   mesh.rest_positions.assign(world.frame().nodes.rest_positions.begin(), world.frame().nodes.rest_positions.end());
   mesh.tets.assign(world.frame().elements.tets.begin(), world.frame().elements.tets.end());
-  mesh.neighbours = neighbours;
+  mesh.neighbors = neighbors;
   Eigen::AlignedBox3d box;
   for (Vec3& point : mesh.rest_positions) point -= authored.bodies[0].position, box.extend(point);
   const SplinterSet set = make_splinters(mesh, make_cells(*authored.bodies[0].splinters, box));
@@ -166,10 +166,10 @@ TEST(Shards, AnyFrameShowsWhatFollowingAllCracksGives) {
     world.step();
     const Frame frame = world.frame();
     std::vector<TetId> cracked;
-    for (const TetId tet : IdRange<TetId>(0, std::ssize(neighbours)))
-      if (frame.elements.neighbours[tet] != neighbours[tet]) cracked.push_back(tet);
+    for (const TetId tet : IdRange<TetId>(0, std::ssize(neighbors)))
+      if (frame.elements.neighbors[tet] != neighbors[tet]) cracked.push_back(tet);
     SplinterState state = intact_state(set);
-    follow_cracks(set, frame.elements.neighbours, cracked, state);
+    follow_cracks(set, frame.elements.neighbors, cracked, state);
     EXPECT_TRUE(std::ranges::equal(state.attached, frame.splinters.attached)) << i;
     std::vector<int> open(frame.splinters.open_walls.begin(), frame.splinters.open_walls.end());
     std::ranges::sort(open);
@@ -278,7 +278,7 @@ TEST(Shards, OfGlassLieRoundItsFirstCrackWhereverThatIs) {
   EXPECT_EQ(display.natural.mesh, before);  // nothing has cracked
   for (int i = 0; i < 60 && world.frame().crack_events.empty(); ++i) world.step();
   ASSERT_FALSE(world.frame().crack_events.empty());
-  const Vec3 blow = world.frame().crack_events.front().rest_position;
+  const Vec3 impact = world.frame().crack_events.front().rest_position;
   follow_first_cracks(display, world.frame(), scene);
   const auto after = display.natural.mesh;
   EXPECT_NE(after, before);
@@ -287,7 +287,7 @@ TEST(Shards, OfGlassLieRoundItsFirstCrackWhereverThatIs) {
   const SplinterSet& set = display.shards.set();
   for (const Splinter& shard : set.splinters) {
     const SplinterFace& face = set.faces[set.parts[shard.first_part].first_face];
-    const double distance = (set.corners[face.first_corner].rest.cast<double>() - blow).norm();
+    const double distance = (set.corners[face.first_corner].rest.cast<double>() - impact).norm();
     middle += distance / static_cast<double>(set.splinters.size());
     if (shard.volume < small) small = shard.volume, nearest = distance;
   }

@@ -126,9 +126,9 @@ int run_until_records(const std::string& sweep, const fs::path& folder, std::siz
 /// A sweep that is killed at random moments and continued to its end has the table of an undisturbed one, and no
 /// finished run is repeated.
 TEST(SweepCommand, ThatIsKilledLosesNothingAndDoesNothingTwice) {
-  const fs::path scene = small_wall_file(), calm = fresh_folder("calm"), killed = fresh_folder("killed");
+  const fs::path scene = small_wall_file(), undisturbed = fresh_folder("calm"), killed = fresh_folder("killed");
   const std::string plan = "--frames 20 --vary projectiles/0/speed=5:60:8 --vary bodies/0/material/density=1500,2500";
-  ASSERT_EQ(run_program(sweep_of(scene, calm, plan)).code, 0);
+  ASSERT_EQ(run_program(sweep_of(scene, undisturbed, plan)).code, 0);
   std::mt19937 random(1);
   std::map<fs::path, fs::file_time_type> done;
   int kills = 0;
@@ -141,7 +141,7 @@ TEST(SweepCommand, ThatIsKilledLosesNothingAndDoesNothingTwice) {
   }
   EXPECT_GT(kills, 1);
   EXPECT_EQ(done.size(), 16u);
-  EXPECT_EQ(csv_in(killed), csv_in(calm));
+  EXPECT_EQ(csv_in(killed), csv_in(undisturbed));
 }
 
 TEST(SweepCommand, ARunThatFailsIsARowAndIsMadeAgainOnRequestAlone) {

@@ -31,9 +31,9 @@ BENCHMARK(make)->Arg(10)->Arg(27)->Unit(benchmark::kMillisecond)->Iterations(1);
 std::vector<TetId> halve(TetMesh& mesh) {
   std::vector<TetId> changed;
   for (const TetId tet : IdRange<TetId>(0, mesh.tet_count()))
-    for (TetId& neighbour : mesh.neighbours[tet])
-      if (neighbour.valid() && rest_centroid(mesh, tet).x() * rest_centroid(mesh, neighbour).x() < 0) {
-        neighbour = TetId();
+    for (TetId& neighbor : mesh.neighbors[tet])
+      if (neighbor.valid() && rest_centroid(mesh, tet).x() * rest_centroid(mesh, neighbor).x() < 0) {
+        neighbor = TetId();
         changed.push_back(tet);
       }
   return changed;
@@ -48,7 +48,7 @@ void follow(benchmark::State& state) {
     state.PauseTiming();
     SplinterState after = intact;
     state.ResumeTiming();
-    follow_cracks(set, mesh.neighbours, changed, after);
+    follow_cracks(set, mesh.neighbors, changed, after);
     benchmark::DoNotOptimize(after.open_walls.size());
   }
   state.counters["splinters"] = static_cast<double>(set.splinters.size());
@@ -60,7 +60,7 @@ class HalvedCube {
  public:
   explicit HalvedCube(const benchmark::State& state) : mesh_(cube()), set_(shards(mesh_, state)) {
     state_ = intact_state(set_);
-    follow_cracks(set_, mesh_.neighbours, halve(mesh_), state_);
+    follow_cracks(set_, mesh_.neighbors, halve(mesh_), state_);
     bodies_.resize(1);
     bodies_[0].id = BodyId(0);
     tet_bodies_.assign(mesh_.tets.size(), BodyId(0));
@@ -74,7 +74,7 @@ class HalvedCube {
     Frame frame;
     frame.nodes.rest_positions = frame.nodes.positions = mesh_.rest_positions;
     frame.elements.tets = mesh_.tets;
-    frame.elements.neighbours = mesh_.neighbours;
+    frame.elements.neighbors = mesh_.neighbors;
     frame.elements.bodies = tet_bodies_;
     frame.bodies = bodies_;
     frame.elements.stresses = stresses_;

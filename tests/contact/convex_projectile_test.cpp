@@ -27,7 +27,7 @@ struct Convex {
   RigidMass mass;
 };
 
-Convex centred(const ConvexPart& corners, double mass) {
+Convex centered(const ConvexPart& corners, double mass) {
   const MassProperties solid = mass_properties(convex_hull(corners));
   Convex made{corners, {mass, mass / solid.volume * solid.inertia}};
   for (Vec3& corner : made.corners) corner -= solid.center;
@@ -67,7 +67,7 @@ TEST(ConvexProjectile, NoneOfThemPassesThroughAThinPlate) {
       const bool kinematic = trial % 2 == 0;
       const ProxyId plate = world.add_proxy(box_parts(size), box_mass(size, 80),
                                             kinematic ? Mobility::kinematic : Mobility::free, {}, {});
-      const Convex convex = centred(shape, 1);
+      const Convex convex = centered(shape, 1);
       RigidState state;
       state.pose.translation = Vec3(0.5 * uniform(random), 0.5 * uniform(random), 3 + uniform(random));
       state.pose.rotation = Quat(uniform(random), uniform(random), uniform(random), uniform(random)).normalized();
@@ -90,7 +90,7 @@ TEST(ConvexProjectile, NoneOfThemPassesThroughAThinPlate) {
 
 TEST(ConvexProjectile, AFreeSpinKeepsItsAngularMomentum) {
   ContactWorld world(Vec3::Zero());
-  const Convex box = centred(box_part(Vec3(0.1, 0.3, 0.6)), 2);
+  const Convex box = centered(box_part(Vec3(0.1, 0.3, 0.6)), 2);
   RigidState state;
   state.angular_velocity = Vec3(3, 8, 1);
   const ProxyId shot = world.add_convex(box.corners, box.mass, state, {});
@@ -108,7 +108,7 @@ TEST(ConvexProjectile, AFreeSpinKeepsItsAngularMomentum) {
 TEST(ConvexProjectile, ABoxComesToRestOnTheGround) {
   ContactWorld world(testing::kGravity);
   world.add_ground(0, {});
-  const Convex box = centred(box_part(Vec3(0.2, 0.3, 0.4)), 5);
+  const Convex box = centered(box_part(Vec3(0.2, 0.3, 0.4)), 5);
   RigidState state;
   state.pose.translation = Vec3(0, 1, 0);
   state.pose.rotation = Quat(Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized()));

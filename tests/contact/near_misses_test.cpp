@@ -53,7 +53,7 @@ TEST(NearMisses, OnlyGapsThatMayCloseStay) {
   }
 }
 
-TEST(NearMisses, WhatABlowSetsInMotionStays) {
+TEST(NearMisses, WhatAnImpactSetsInMotionStays) {
   Row row({0.001, 0.005}, {2, 0, 0});
   row.world.drop_near_misses(kDt, row.approach());
   EXPECT_EQ(row.left(), (std::vector<int>{4, 4}));

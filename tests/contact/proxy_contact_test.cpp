@@ -34,7 +34,7 @@ TEST(ProxyContact, ABoxSlidesWhenTheSlopeExceedsItsFriction) {
     }
 }
 
-TEST(ProxyContact, ABarThatTurnsIsSeenToStrikeWhereverItsCentreGoes) {
+TEST(ProxyContact, ABarThatTurnsIsSeenToStrikeWhereverItsCenterGoes) {
   const Vec3 size(2, 0.1, 0.1);
   for (double climb : {-0.1, 0.0, 0.1})
     for (double height : {0.3, 3.0}) {

@@ -268,7 +268,7 @@ TEST(SphereContact, WhatTurnsFarAwayStopsNothing) {
   EXPECT_LT((world.state(ball).pose.translation - Vec3(3, kDt, 0)).norm(), 1e-12);
 }
 
-TEST(SphereContact, SpheresInsideOneAnotherMeetAlongTheLineOfTheirCentres) {
+TEST(SphereContact, SpheresInsideOneAnotherMeetAlongTheLineOfTheirCenters) {
   for (const double apart : {0.0, 1e-9, 0.01, 0.2, 0.499}) {
     ContactWorld world(Vec3::Zero());
     const Vec3 way = Vec3(1, 2, -2) / 3;

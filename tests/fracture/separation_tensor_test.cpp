@@ -11,7 +11,7 @@
 #include <limits>
 
 #include "sim/elasticity/principal_stress.h"
-#include "sim/fracture/star_sums.h"
+#include "sim/fracture/node_load_sums.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/topology.h"
 #include "tests/random_values.h"
@@ -201,7 +201,7 @@ TEST(CandidatePlane, OfFourSideBySideHasTheBitsOfOneAtATime) {
           tensors[lane] = separation_tensor(box.input(), nodes[lane]);
           strengths[lane] = {random.direction(), 1, lane == 3 ? 1 : ratio};
         }
-        const std::array<CandidatePlane, 4> planes = candidate_planes(star_loads(box.input(), nodes), strengths);
+        const std::array<CandidatePlane, 4> planes = candidate_planes(node_loads(box.input(), nodes), strengths);
         for (int lane = 0; lane < 4; ++lane)
           expect_same_plane(planes[lane], candidate_plane(box.input(), nodes[lane], tensors[lane], strengths[lane]));
       }
@@ -209,7 +209,7 @@ TEST(CandidatePlane, OfFourSideBySideHasTheBitsOfOneAtATime) {
 }
 
 /// Includes supported and sliding nodes, and those without stress or with NaN, in ranges as of threads.
-TEST(StarSums, ElementByElementHaveTheBitsOfStarByStar) {
+TEST(NodeLoadSums, ElementByElementHaveTheBitsOfStarByStar) {
   RandomValues random(11);
   for (const ElementModel model : {ElementModel::corotational, ElementModel::green_strain}) {
     StressedBox box(BoxPattern::five_tet, 4, Mat3::Identity() + random.matrix(1e-3), 0.15, model);
@@ -225,14 +225,14 @@ TEST(StarSums, ElementByElementHaveTheBitsOfStarByStar) {
     for (const TetId tet : IdRange<TetId>(0, box.mesh.tet_count())) tets.push_back(tet);
     for (const NodeId node : IdRange<NodeId>(0, count)) nodes.push_back(node);
 
-    std::vector<StarSums> sums(count);
+    std::vector<NodeLoadSums> sums(count);
     for (int first = 0, last = 0; first < count; first = last) {
       last = std::min(count, first + 1 + random.index(count / 2));
-      add_up_stars(box.input(), tets, std::span(nodes).subspan(first, last - first), sums);
+      accumulate_node_loads(box.input(), tets, std::span(nodes).subspan(first, last - first), sums);
     }
     for (const NodeId node : nodes) {
       const Mat3 tensor = separation_tensor(box.input(), node);
-      const StarLoad load = sums[node].load();
+      const NodeLoad load = sums[node].load();
       const bool same = std::memcmp(load.tensor.data(), tensor.data(), sizeof tensor) == 0;
       EXPECT_TRUE(same || !(tensor.allFinite() || load.tensor.allFinite())) << node.index();
       const CandidatePlane plane = candidate_planes({load, load, load, load}, {})[1];
@@ -241,14 +241,14 @@ TEST(StarSums, ElementByElementHaveTheBitsOfStarByStar) {
   }
 }
 
-TEST(StarSums, LeaveOtherNodesAlone) {
+TEST(NodeLoadSums, LeaveOtherNodesAlone) {
   const StressedBox box(BoxPattern::kuhn, 2, Mat3::Identity() * (1 + kStrain));
   std::vector<TetId> tets;
   for (const TetId tet : IdRange<TetId>(0, box.mesh.tet_count())) tets.push_back(tet);
-  std::vector<StarSums> sums(box.mesh.node_count());
-  for (StarSums& star : sums) star.area = -1;
+  std::vector<NodeLoadSums> sums(box.mesh.node_count());
+  for (NodeLoadSums& star : sums) star.area = -1;
   const std::vector<NodeId> nodes = {NodeId(5), NodeId(6), NodeId(7)};
-  add_up_stars(box.input(), tets, nodes, sums);
+  accumulate_node_loads(box.input(), tets, nodes, sums);
   for (int node = 0; node < box.mesh.node_count(); ++node) EXPECT_EQ(sums[node].area > 0, node >= 5 && node <= 7);
 }
 

@@ -107,7 +107,7 @@ TEST(Split, RefusesFragmentsBelowTheLimitAndLeavesNoTrace) {
     const SplitResult result = body.split(NodeId(random.index(body.mesh.node_count())), random.direction(), 4);
     if (result.too_small) {
       ++refused;
-      EXPECT_EQ(body.mesh.neighbours, before.neighbours);
+      EXPECT_EQ(body.mesh.neighbors, before.neighbors);
       EXPECT_EQ(body.mesh.tets, before.tets);
     }
     for (const auto& piece : connected_components(body.mesh)) ASSERT_GE(piece.size(), 4u);

@@ -10,7 +10,7 @@ namespace griffith::fuzz {
 namespace {
 
 /// Part of a text.
-struct Stretch {
+struct ByteRange {
   std::size_t begin = 0, size = 0;
 };
 
@@ -18,7 +18,7 @@ std::size_t place_in(const std::string& text, RandomValues& random) {
   return static_cast<std::size_t>(random.index(static_cast<int>(text.size()) + 1));
 }
 
-Stretch stretch_of(const std::string& text, RandomValues& random) {
+ByteRange random_range(const std::string& text, RandomValues& random) {
   const std::size_t begin = place_in(text, random);
   const int longest = chance(random, 0.8) ? 8 : 1024;
   return {begin, std::min(text.size() - begin, static_cast<std::size_t>(1 + random.index(longest)))};
@@ -65,7 +65,7 @@ std::string extreme_number(RandomValues& random) {
 }
 
 void damage_bytes(std::string& bytes, RandomValues& random) {
-  const Stretch at = stretch_of(bytes, random);
+  const ByteRange at = random_range(bytes, random);
   const std::string piece = bytes.substr(at.begin, at.size);
   switch (random.index(8)) {
     case 0:
@@ -93,8 +93,8 @@ void damage_bytes(std::string& bytes, RandomValues& random) {
   }
 }
 
-std::vector<Stretch> parts_of(const std::string& text, std::string_view separators) {
-  std::vector<Stretch> parts;
+std::vector<ByteRange> parts_of(const std::string& text, std::string_view separators) {
+  std::vector<ByteRange> parts;
   for (std::size_t begin = 0; (begin = text.find_first_not_of(separators, begin)) != std::string::npos;) {
     const std::size_t end = std::min(text.find_first_of(separators, begin), text.size());
     parts.push_back({begin, end - begin});
@@ -103,7 +103,7 @@ std::vector<Stretch> parts_of(const std::string& text, std::string_view separato
   return parts;
 }
 
-void exchange(std::string& text, Stretch a, Stretch b) {
+void exchange(std::string& text, ByteRange a, ByteRange b) {
   if (a.begin > b.begin) std::swap(a, b);
   if (a.begin + a.size > b.begin) return;
   const std::string first = text.substr(a.begin, a.size), second = text.substr(b.begin, b.size);
@@ -119,9 +119,9 @@ std::string near_number(const std::string& word, RandomValues& random) {
 
 void damage_text(std::string& text, RandomValues& random) {
   const bool lines = chance(random, 0.25);
-  const std::vector<Stretch> parts = parts_of(text, lines ? "\n" : " \t\r\n,;\"'<>=/");
+  const std::vector<ByteRange> parts = parts_of(text, lines ? "\n" : " \t\r\n,;\"'<>=/");
   if (parts.empty()) return damage_bytes(text, random);
-  const Stretch at = pick(random, parts), other = pick(random, parts);
+  const ByteRange at = pick(random, parts), other = pick(random, parts);
   const std::string part = text.substr(at.begin, at.size);
   switch (random.index(lines ? 4 : 8)) {
     case 0:

@@ -83,7 +83,7 @@ void join_points(TetSoup& soup, RandomValues& random) {
 }
 
 /// Adds a second copy next to the first that shares a node, an edge or more with it.
-void add_neighbour(TetSoup& soup, RandomValues& random) {
+void add_neighbor(TetSoup& soup, RandomValues& random) {
   const int count = static_cast<int>(soup.points.size()), tets = static_cast<int>(soup.tets.size());
   const int shared = 1 + random.index(3);
   const Vec3 shift = chance(random, 0.5) ? Vec3(1, 1, 0) : Vec3(2.5 * random.direction());
@@ -127,7 +127,7 @@ TetSoup mutate_soup(TetSoup soup, RandomValues& random) {
     else if (way < 10)
       join_points(soup, random);
     else if (soup.points.size() < 40)
-      add_neighbour(soup, random);
+      add_neighbor(soup, random);
   } while (chance(random, 0.4));
   return soup;
 }

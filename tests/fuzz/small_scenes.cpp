@@ -76,7 +76,7 @@ std::vector<Scene> random_scenes(int count) {
 
 /// Returns the number of waves across the shape's finest cell that a step of explicit integration has to resolve.
 double substeps_of(const BodyDescription& body, const SimulationSettings& settings) {
-  if (settings.integrator == Integrator::implicit_euler) return 1;
+  if (settings.integrator == Integrator::implicit) return 1;
   const Material& m = body.material;
   const double modulus = m.young_modulus * (1 - m.poisson_ratio) / ((1 + m.poisson_ratio) * (1 - 2 * m.poisson_ratio));
   const double speed = std::sqrt(modulus / m.density);

@@ -144,7 +144,7 @@ class Watch {
 void check_mesh(const Frame& frame) {
   const TetMesh mesh = {{frame.nodes.rest_positions.begin(), frame.nodes.rest_positions.end()},
                         {frame.elements.tets.begin(), frame.elements.tets.end()},
-                        {frame.elements.neighbours.begin(), frame.elements.neighbours.end()},
+                        {frame.elements.neighbors.begin(), frame.elements.neighbors.end()},
                         {frame.nodes.stars.begin(), frame.nodes.stars.end()}};
   const std::vector<std::string> faults = check_invariants(mesh);
   promise(faults.empty(), "the mesh is unsound: " + (faults.empty() ? "" : faults.front()));

@@ -112,11 +112,11 @@ TEST(Bisect, APinchedEdgeGetsANodeForEachOfItsPieces) {
   // Cut the faces at the edge in the plane x = 0: two pieces touch there, and are connected elsewhere.
   for (TetId tet : round[0])
     for (int face = 0; face < 4; ++face) {
-      const TetId other = mesh.neighbours[tet][face];
+      const TetId other = mesh.neighbors[tet][face];
       if (!other.valid() || local_corner(mesh, other, a) < 0 || local_corner(mesh, other, b) < 0) continue;
       if (rest_centroid(mesh, tet).x() * rest_centroid(mesh, other).x() > 0) continue;
-      mesh.neighbours[other][face_towards(mesh, other, tet)] = TetId();
-      mesh.neighbours[tet][face] = TetId();
+      mesh.neighbors[other][face_toward(mesh, other, tet)] = TetId();
+      mesh.neighbors[tet][face] = TetId();
     }
   ASSERT_EQ(edge_components(mesh, a, b).size(), 2u);
   Subdivision log;

@@ -40,8 +40,8 @@ TEST(TopologyTest, DoesNotDependOnTheNumbering) {
   EXPECT_THAT(check_invariants(renumbered), IsEmpty());
   for (int t = 0; t < mesh.tet_count(); ++t)
     for (int face = 0; face < 4; ++face) {
-      const TetId neighbour = mesh.neighbours[t][face];
-      EXPECT_EQ(renumbered.neighbours[tet_of[t]][face], neighbour.valid() ? TetId(tet_of[neighbour]) : TetId());
+      const TetId neighbor = mesh.neighbors[t][face];
+      EXPECT_EQ(renumbered.neighbors[tet_of[t]][face], neighbor.valid() ? TetId(tet_of[neighbor]) : TetId());
     }
 }
 
@@ -52,7 +52,7 @@ TEST(TopologyTest, AppendKeepsWhatWasThereAndLinksNothingToIt) {
   EXPECT_EQ(range.first_node.index(), before.node_count());
   EXPECT_EQ(range.first_tet.index(), before.tet_count());
   EXPECT_THAT(check_invariants(mesh), IsEmpty());
-  for (int t = 0; t < before.tet_count(); ++t) EXPECT_EQ(mesh.neighbours[t], before.neighbours[t]);
+  for (int t = 0; t < before.tet_count(); ++t) EXPECT_EQ(mesh.neighbors[t], before.neighbors[t]);
   const auto pieces = connected_components(mesh);
   ASSERT_EQ(pieces.size(), 2u);
   EXPECT_EQ(pieces[1].front(), range.first_tet);
@@ -79,8 +79,8 @@ TEST(TopologyTest, ComponentsArePartedByCutLinksAlone) {
   TetMesh mesh = box_mesh();
   const auto left = [&](TetId tet) { return rest_centroid(mesh, tet).x() < 0.5; };
   for (int t = 0; t < mesh.tet_count(); ++t)
-    for (TetId& neighbour : mesh.neighbours[t])
-      if (neighbour.valid() && left(TetId(t)) != left(neighbour)) neighbour = TetId();
+    for (TetId& neighbor : mesh.neighbors[t])
+      if (neighbor.valid() && left(TetId(t)) != left(neighbor)) neighbor = TetId();
   const auto pieces = connected_components(mesh);
   ASSERT_EQ(pieces.size(), 2u);
   EXPECT_EQ(pieces[0].size() + pieces[1].size(), mesh.tets.size());
@@ -109,7 +109,7 @@ TEST(InvariantsTest, NoticeEverySingleDamage) {
     const int tet = random.index(bad.tet_count()), face = random.index(4), node = random.index(bad.node_count());
     switch (round % 6) {
       case 0:  // a link lost, or out of nowhere
-        bad.neighbours[tet][face] = bad.neighbours[tet][face].valid() ? TetId() : TetId((tet + 1) % bad.tet_count());
+        bad.neighbors[tet][face] = bad.neighbors[tet][face].valid() ? TetId() : TetId((tet + 1) % bad.tet_count());
         break;
       case 1:
         bad.stars[node].pop_back();

@@ -7,7 +7,7 @@ namespace {
 
 using render::Image;
 
-Image grey(int width, int height) {
+Image gray(int width, int height) {
   Image image{width, height, {}};
   for (int i = 0; i < width * height; ++i)
     for (const std::uint8_t byte : {100, 100, 100, 255}) image.rgba.push_back(byte);
@@ -21,20 +21,20 @@ void add_to(Image& image, const PixelRect& rect, int by, std::size_t channel = 1
 }
 
 TEST(CompareImages, EqualOnesPass) {
-  const ImageComparison comparison = compare_images(grey(320, 180), grey(320, 180));
+  const ImageComparison comparison = compare_images(gray(320, 180), gray(320, 180));
   EXPECT_TRUE(comparison.passed && comparison.equal);
   EXPECT_EQ(comparison.reason, "identical");
 }
 
 TEST(CompareImages, OtherSizesFail) {
-  const ImageComparison comparison = compare_images(grey(320, 180), grey(320, 181));
+  const ImageComparison comparison = compare_images(gray(320, 180), gray(320, 181));
   EXPECT_FALSE(comparison.passed);
   EXPECT_EQ(comparison.reason, "the size is 320×181, that of the golden picture 320×180");
 }
 
 /// At the limits and one beyond them: 0.05 % of 320×200 pixels are 32.
 TEST(CompareImages, PixelsOffAreCountedOverThePicture) {
-  const Image golden = grey(320, 200);
+  const Image golden = gray(320, 200);
   Image actual = golden;
   for (int i = 0; i < 32; ++i) add_to(actual, {9 * i, 5 * i, 1, 1}, 5);
   EXPECT_EQ(compare_images(golden, actual).off.count, 32);
@@ -45,7 +45,7 @@ TEST(CompareImages, PixelsOffAreCountedOverThePicture) {
 
 /// 5 % of 16×16 pixels are 12.8, and tiles overlap, so it does not matter where the spot is.
 TEST(CompareImages, PixelsOffAreCountedInTiles) {
-  const Image golden = grey(640, 360);
+  const Image golden = gray(640, 360);
   for (int left : {0, 3, 15, 317, 636})
     for (int top : {0, 14, 100, 357}) {
       Image actual = golden;
@@ -62,7 +62,7 @@ TEST(CompareImages, PixelsOffAreCountedInTiles) {
 }
 
 TEST(CompareImages, TheLargestDifferenceIsReportedAndNoRule) {
-  const Image golden = grey(320, 180);
+  const Image golden = gray(320, 180);
   Image actual = golden;
   add_to(actual, {50, 50, 2, 1}, 155);
   const ImageComparison comparison = compare_images(golden, actual);
@@ -72,7 +72,7 @@ TEST(CompareImages, TheLargestDifferenceIsReportedAndNoRule) {
 
 /// No pixel is off, yet many change in one direction.
 TEST(CompareImages, DriftIsSeenInThePictureAndInATile) {
-  const Image golden = grey(320, 160);
+  const Image golden = gray(320, 160);
   Image actual = golden;
   for (int i = 0; i < 160; ++i) add_to(actual, {2 * i, 0, 1, 5}, 1, 2);  // 800 of 51,200, in five tiles of rows
   ImageComparison comparison = compare_images(golden, actual);
@@ -96,14 +96,14 @@ TEST(CompareImages, DriftIsSeenInThePictureAndInATile) {
 
 /// One flipped pixel is a quarter of the drift that a tile may have, and must not add to it.
 TEST(CompareImages, PixelsOffDoNotDrift) {
-  const Image golden = grey(320, 180);
+  const Image golden = gray(320, 180);
   Image actual = golden;
   add_to(actual, {40, 40, 3, 3}, 150);
   EXPECT_EQ(compare_images(golden, actual).tile_drift, 0);
 }
 
 TEST(CompareImages, ReasonsNameTheBrokenRulesAlone) {
-  const Image golden = grey(320, 200);
+  const Image golden = gray(320, 200);
   Image actual = golden;
   add_to(actual, {16, 16, 16, 16}, 90);
   EXPECT_EQ(compare_images(golden, actual).reason,
@@ -119,7 +119,7 @@ TEST(CompareImages, ReasonsNameTheBrokenRulesAlone) {
 
 TEST(CompareImages, WithoutToleranceEveryBitCounts) {
   const ImageTolerance none{0, {0, 0}, 0, 0};
-  const Image golden = grey(320, 200);
+  const Image golden = gray(320, 200);
   Image actual = golden;
   EXPECT_TRUE(compare_images(golden, actual, none).passed);
   add_to(actual, {77, 99, 1, 1}, 1);
@@ -127,14 +127,14 @@ TEST(CompareImages, WithoutToleranceEveryBitCounts) {
 }
 
 TEST(CompareImages, TransparencyCounts) {
-  const Image golden = grey(64, 64);
+  const Image golden = gray(64, 64);
   Image actual = golden;
   add_to(actual, {0, 0, 32, 32}, -100, 3);
   EXPECT_EQ(compare_images(golden, actual).off.count, 32 * 32);
 }
 
 TEST(CompareImages, PicturesSmallerThanATileAreOneTile) {
-  const Image golden = grey(5, 4);
+  const Image golden = gray(5, 4);
   Image actual = golden;
   add_to(actual, {4, 3, 1, 1}, 9);
   const ImageComparison comparison = compare_images(golden, actual);
@@ -143,7 +143,7 @@ TEST(CompareImages, PicturesSmallerThanATileAreOneTile) {
 }
 
 TEST(CompareImages, OneDifferentPixelIsMarkedForAllToSee) {
-  const Image golden = grey(640, 360);
+  const Image golden = gray(640, 360);
   Image actual = golden;
   add_to(actual, {300, 200, 1, 1}, 60);
   add_to(actual, {10, 10, 1, 1}, 2);

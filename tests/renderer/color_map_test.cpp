@@ -30,7 +30,7 @@ TEST(ColorMap, LuminanceOfSequentialMapsGrows) {
   }
 }
 
-TEST(ColorMap, CoolwarmIsDarkBlueAndDarkRedAroundALightGrey) {
+TEST(ColorMap, CoolwarmIsDarkBlueAndDarkRedAroundALightGray) {
   const Rgb low = color_map_color(ColorMap::coolwarm, 0), middle = color_map_color(ColorMap::coolwarm, 0.5f),
             high = color_map_color(ColorMap::coolwarm, 1);
   EXPECT_GT(low.b, low.r + 0.4f);

@@ -181,7 +181,7 @@ TEST_F(RendererTest, PuffsAreSeenThroughAndNotPicked) {
 }
 
 /// From standard quality on there is no border where it goes into a body.
-TEST_F(RendererTest, PuffsGrowFaintTowardsWhatTheyLieOn) {
+TEST_F(RendererTest, PuffsGrowFaintTowardWhatTheyLieOn) {
   DrawScene bare = screen_filling_square(camera());
   bare.surface.color = {0.1f, 0.1f, 0.1f};
   const Vector3f towards_eye = (camera().position - camera().target).normalized();
@@ -207,7 +207,7 @@ TEST_F(RendererTest, ManyFaintPuffsFadeInTheirOwnHue) {
   constexpr int kPuffs = 200;
   constexpr float kOpacity = 0.004f;
   const Puff puff{camera().target, 4, {0.8f, 0.4f, 0.3f}, kOpacity};
-  const auto mean_colour = [&](const std::vector<Puff>& puffs) {
+  const auto mean_color = [&](const std::vector<Puff>& puffs) {
     DrawScene scene;
     scene.puffs = puffs;
     const Image image = picture(scene, options(1));
@@ -220,10 +220,10 @@ TEST_F(RendererTest, ManyFaintPuffsFadeInTheirOwnHue) {
   Puff dense = puff;
   dense.opacity = 1;
   const float left = std::pow(1 - kOpacity, kPuffs);
-  const Vector3f expected = left * mean_colour({}) + (1 - left) * mean_colour({dense});
+  const Vector3f expected = left * mean_color({}) + (1 - left) * mean_color({dense});
   std::vector<Puff> puffs(kPuffs, puff);
   for (int i = 0; i < kPuffs; ++i) puffs[i].center.x() += 1e-3f * static_cast<float>(i);
-  const Vector3f faint = mean_colour(puffs);
+  const Vector3f faint = mean_color(puffs);
   EXPECT_LT((faint - expected).cwiseAbs().maxCoeff(), 10)
       << faint.transpose() << " instead of " << expected.transpose();
 }

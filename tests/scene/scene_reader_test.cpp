@@ -217,8 +217,8 @@ TEST(SceneReader, ReadsSupportsLoadsAndProbes) {
     "bodies": [{"supports": [{"kind": "prescribed", "velocity": [0, -1, 0], "stop": 2}],
                 "loads": [{"kind": "pressure", "pressure": 5, "region": {"nodes": [1]}, "ramp": 3}]}],
     "probes": [{"at": {"region": {"sphere": {"radius": 2}}}, "quantities": ["stress", "reaction"]}]})");
-  EXPECT_EQ(scene.analysis, Analysis::equilibrium);
-  EXPECT_EQ(scene.simulation.integrator, Integrator::symplectic_euler);
+  EXPECT_EQ(scene.analysis, Analysis::static_);
+  EXPECT_EQ(scene.simulation.integrator, Integrator::explicit_);
   Support support;
   support.kind = SupportKind::prescribed;
   support.velocity = -Vec3::UnitY();

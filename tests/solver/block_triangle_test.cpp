@@ -87,9 +87,9 @@ TEST(EliminationOrder, KeepsFactorsOfAGridSparse) {
   constexpr int kSide = 16, kCount = kSide * kSide;
   testing::RandomValues random(5);
   const std::vector<int> start = shuffled(kCount, random);
-  std::vector<std::vector<int>> neighbours(kCount);
+  std::vector<std::vector<int>> neighbors(kCount);
   const auto join = [&](int a, int b) {
-    neighbours[std::min(start[a], start[b])].push_back(std::max(start[a], start[b]));
+    neighbors[std::min(start[a], start[b])].push_back(std::max(start[a], start[b]));
   };
   for (int x = 0; x < kSide; ++x)
     for (int y = 0; y < kSide; ++y) {
@@ -97,7 +97,7 @@ TEST(EliminationOrder, KeepsFactorsOfAGridSparse) {
       if (x > 0) join(kSide * x + y, kSide * (x - 1) + y);
       if (y > 0) join(kSide * x + y, kSide * x + y - 1);
     }
-  const std::vector<int> order = elimination_order(neighbours);
+  const std::vector<int> order = elimination_order(neighbors);
   ASSERT_TRUE(std::ranges::is_permutation(order, start));
   std::vector<int> numbers(kCount);
   for (int i = 0; i < kCount; ++i) numbers[i] = order[start[i]];

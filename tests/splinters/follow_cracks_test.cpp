@@ -26,7 +26,7 @@ class CrackedBox {
   void split(RandomValues& random) {
     const SplitResult result =
         split_node(mesh, mesh.rest_positions, NodeId(random.index(mesh.node_count())), random.direction());
-    follow_cracks(set, mesh.neighbours, result.changed_tets, state);
+    follow_cracks(set, mesh.neighbors, result.changed_tets, state);
   }
 
   /// A number for each tet: that of its connected piece.
@@ -56,7 +56,7 @@ TEST_P(FollowCracks, AnIntactBodyShowsNoWall) {
   SplinterState state = box.state;
   std::vector<TetId> all;
   for (const TetId tet : IdRange<TetId>(0, box.mesh.tet_count())) all.push_back(tet);
-  follow_cracks(box.set, box.mesh.neighbours, all, state);
+  follow_cracks(box.set, box.mesh.neighbors, all, state);
   EXPECT_TRUE(state.open_walls.empty());
 }
 
@@ -133,7 +133,7 @@ TEST_P(FollowCracks, OnlyWhatCracksTouchIsUpdated) {
   for (int i = 0; i < 30; ++i) box.split(random);
   std::vector<TetId> all;
   for (const TetId tet : IdRange<TetId>(0, box.mesh.tet_count())) all.push_back(tet);
-  follow_cracks(box.set, box.mesh.neighbours, all, whole);
+  follow_cracks(box.set, box.mesh.neighbors, all, whole);
   EXPECT_EQ(box.state.attached, whole.attached);
   for (std::size_t f = 0; f < whole.open.size(); ++f) EXPECT_GE(box.state.open[f], whole.open[f]);
 }

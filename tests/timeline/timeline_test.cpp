@@ -249,7 +249,7 @@ TEST(Timeline, WhatCopiesShareCountsOnce) {
 
 TEST(Timeline, WhatIsRefusedIsNoPartOfThePast) {
   Scene explicitly = scene();
-  explicitly.simulation.integrator = Integrator::symplectic_euler;
+  explicitly.simulation.integrator = Integrator::explicit_;
   Timeline timeline{World(explicitly)};
   Material stiff = timeline.world().frame().materials[0];
   stiff.young_modulus = 1e13;

@@ -81,7 +81,7 @@ TEST(Commands, ShortcutsAreReadAsTheyAreWritten) {
     EXPECT_FALSE(shortcut_from_text(wrong)) << wrong;
 }
 
-TEST(Commands, WithNothingToUndoTheButtonIsGreyAndTheKeyIsLeftToTheProgramToRefuse) {
+TEST(Commands, WithNothingToUndoTheButtonIsGrayAndTheKeyIsLeftToTheProgramToRefuse) {
   UiDriver ui(two_walls());
   ui.click("command/edit.undo");
   EXPECT_TRUE(ui.commands.empty());

@@ -56,7 +56,7 @@ Vec3 crack_normal(const Frame& frame, double half_length) {
   std::vector<Vec3> points;
   for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet)
     for (int face = 0; face < 4; ++face) {
-      if (frame.elements.neighbours[tet][face].valid()) continue;
+      if (frame.elements.neighbors[tet][face].valid()) continue;
       Vec3 middle = Vec3::Zero();
       for (int corner : kTetFaces[face]) middle += frame.nodes.rest_positions[frame.elements.tets[tet][corner]] / 3;
       // Surfaces of the bar lie at its border.
@@ -109,7 +109,7 @@ Scene stretched_bar(BoxPattern pattern, int cells) {
     grip.can_tear = false;
     bar.supports.push_back(grip);
   }
-  scene.analysis = Analysis::equilibrium;
+  scene.analysis = Analysis::static_;
   scene.simulation.time_step = 0.02;
   return scene;
 }

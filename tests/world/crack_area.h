@@ -10,7 +10,7 @@ inline double crack_area(const Frame& frame) {
   double area = 0;
   for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet)
     for (int face = 0; face < 4; ++face) {
-      if (frame.elements.neighbours[tet][face].valid() || (frame.elements.first_surface[tet] >> face & 1)) continue;
+      if (frame.elements.neighbors[tet][face].valid() || (frame.elements.first_surface[tet] >> face & 1)) continue;
       const auto corner = [&](int i) {
         return frame.nodes.rest_positions[frame.elements.tets[tet][kTetFaces[face][i]]];
       };

@@ -77,7 +77,7 @@ Scene notched_plate(BoxPattern pattern, int cells) {
 
 /// Nothing cracks here: equilibrium is linear, so the utilization under the full load gives the bearable fraction.
 double bearable_fraction(Scene scene) {
-  scene.analysis = Analysis::equilibrium;
+  scene.analysis = Analysis::static_;
   scene.simulation.fracture = false;
   World world(scene);
   world.step();
@@ -128,7 +128,7 @@ TEST_P(CrackPath, ADiscSplitsAlongItsLoad) {
   }
   disc.loads.clear();
   Scene scene = weightless(disc);
-  scene.analysis = Analysis::equilibrium;
+  scene.analysis = Analysis::static_;
   scene.simulation.time_step = 0.01;
   World world(scene);
   while (!has_parted(world.frame()) && world.frame().time < 1) world.step();

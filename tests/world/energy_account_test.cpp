@@ -125,7 +125,7 @@ Scene shot_at_wall(Integrator integrator) {
 }
 
 TEST(EnergyAccount, AnImpactWithCracksClosesAndNothingIsGained) {
-  for (const Integrator integrator : {Integrator::implicit_euler, Integrator::hybrid}) {
+  for (const Integrator integrator : {Integrator::implicit, Integrator::hybrid}) {
     World world(shot_at_wall(integrator));
     EnergyAccount sum = world.frame().energy;
     for (int i = 0; i < 20; ++i) {
@@ -169,7 +169,7 @@ TEST(EnergyAccount, CountsOneSideOfEachCrackAtItsToughness) {
 }
 
 TEST(EnergyAccount, TheNumberOfThreadsChangesNoBit) {
-  for (const Integrator integrator : {Integrator::implicit_euler, Integrator::hybrid}) {
+  for (const Integrator integrator : {Integrator::implicit, Integrator::hybrid}) {
     std::vector<EnergyAccount> accounts;
     for (const int threads : {1, 2, 4}) {
       const ThreadLimit limit(threads);
@@ -185,7 +185,7 @@ TEST(EnergyAccount, TheNumberOfThreadsChangesNoBit) {
 }
 
 TEST(EnergyAccount, AnEditedMaterialIsAccountedFor) {
-  Scene scene = shot_at_wall(Integrator::implicit_euler);
+  Scene scene = shot_at_wall(Integrator::implicit);
   World world(scene);
   for (int i = 0; i < 12; ++i) world.step();
   Material heavy = scene.bodies[0].material;
@@ -300,7 +300,7 @@ TEST(EnergyAccount, WhatVibratesInAPieceIsLostWhenItTurnsRigid) {
     const Frame frame = world.frame();
     ASSERT_LT(fraction_unaccounted(frame.energy), 2e-4) << "step " << i;
     struck += was_rigid && frame.report.microsteps > 0;
-    lost = std::max(lost, frame.energy_of_step.hand_over);
+    lost = std::max(lost, frame.energy_of_step.regime_change);
   }
   EXPECT_GT(struck, 0) << "and woken";
   EXPECT_GT(lost, 0.01 * world.frame().energy.turned_over());
@@ -312,7 +312,7 @@ Scene spinning_block(double young_modulus, double stiffness_damping, double spin
   scene.gravity.setZero();
   scene.ground.reset();
   scene.simulation.fracture = false;
-  scene.simulation.integrator = Integrator::implicit_euler;
+  scene.simulation.integrator = Integrator::implicit;
   scene.simulation.relative_residual = 1e-8;
   BodyDescription block;
   block.shape = BoxShape{Vec3(1, 0.6, 0.3), Vec3::Constant(0.15), BoxPattern::five_tet};
@@ -369,11 +369,11 @@ TEST(EnergyAccount, EverySceneCloses) {
   for (const auto& file : std::filesystem::directory_iterator(GRIFFITH_SOURCE_DIR "/scenes")) {
     if (file.path().extension() != ".json" || file.path().stem() == "scene.schema") continue;
     ++scenes;
-    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::hybrid}) {
+    for (const Integrator integrator : {Integrator::implicit, Integrator::hybrid}) {
       Scene scene = read_scene(file.path());
       scene.simulation.integrator = integrator;
       World world(scene);
-      const int steps = scene.analysis == Analysis::equilibrium ? 1 : steps_of(file.path().stem());
+      const int steps = scene.analysis == Analysis::static_ ? 1 : steps_of(file.path().stem());
       for (int i = 0; i < steps; ++i) world.step();
       const Frame frame = world.frame();
       EXPECT_GT(frame.energy.turned_over(), 0) << file.path();

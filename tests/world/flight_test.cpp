@@ -54,7 +54,7 @@ TEST(Flight, WhatFallsWithoutSpinDoesNotTurn) {
   }
 }
 
-TEST(Flight, DebrisOfCentimetresKeepsItsEnergyAndAngularMomentum) {
+TEST(Flight, DebrisOfCentimetersKeepsItsEnergyAndAngularMomentum) {
   const Shape shapes[] = {Shape(BoxShape{Vec3(0.02, 0.02, 0.02), Vec3::Constant(0.01), BoxPattern::five_tet}),
                           Shape(SphereShape{0.01, 0.008}),
                           Shape(BoxShape{Vec3(0.08, 0.01, 0.01), Vec3::Constant(0.01), BoxPattern::five_tet}),

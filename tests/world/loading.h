@@ -16,7 +16,7 @@ struct LoadRamp {
 inline double breaking_fraction(Scene scene, const LoadRamp& ramp, const std::function<bool(const Frame&)>& broken,
                                 const std::function<void(const Frame&)>& inspect = {}) {
   const int steps = static_cast<int>((ramp.last - ramp.first) / ramp.increment + 0.5);
-  scene.analysis = Analysis::equilibrium;
+  scene.analysis = Analysis::static_;
   scene.simulation.time_step = 0.01;
   for (BodyDescription& body : scene.bodies) {
     std::vector<Load> loads;

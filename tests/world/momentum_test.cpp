@@ -40,7 +40,7 @@ TEST(Momentum, ASpinningBodyKeepsItsAngularMomentum) {
   EXPECT_EQ(world.frame().bodies.size(), 1u);
 }
 
-TEST(Momentum, PiecesOfOneMeshSpinAboutTheirCommonCentre) {
+TEST(Momentum, PiecesOfOneMeshSpinAboutTheirCommonCenter) {
   const griffith::TemporaryFolder folder;
   TetSoup soup = make_box(Vec3(1, 1, 1), Vec3::Constant(0.5), BoxPattern::five_tet);
   const TetSoup small = make_box(Vec3(0.5, 0.5, 0.5), Vec3::Constant(0.5), BoxPattern::five_tet);

@@ -110,7 +110,7 @@ TEST(PublishedFrame, CrackFacesAndNoOthersHaveTheTimeTheyWereOpened) {
     for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet) {
       for (int face = 0; face < 4; ++face) {
         const bool crack =
-            !frame.elements.neighbours[tet][face].valid() && !(frame.elements.first_surface[tet] >> face & 1);
+            !frame.elements.neighbors[tet][face].valid() && !(frame.elements.first_surface[tet] >> face & 1);
         const double time = frame.elements.opened[tet][face];
         EXPECT_EQ(crack, !std::isnan(time)) << "tet " << tet << ", face " << face;
         EXPECT_TRUE(!crack || (time > 0 && time <= frame.time));

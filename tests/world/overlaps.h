@@ -63,7 +63,7 @@ class PieceGeometry {
     double least = std::numeric_limits<double>::infinity();
     for (const std::size_t tet : tets_[piece])
       for (int face = 0; face < 4; ++face) {
-        if (frame_.elements.neighbours[tet][face].valid()) continue;
+        if (frame_.elements.neighbors[tet][face].valid()) continue;
         const auto& [a, b, c] = kTetFaces[face];
         const Vec3 weights = closest_on_triangle(point, {corner(tet, a), corner(tet, b), corner(tet, c)});
         const Vec3 closest = weights[0] * corner(tet, a) + weights[1] * corner(tet, b) + weights[2] * corner(tet, c);

@@ -32,7 +32,7 @@ Scene strip_scene(const Strip& strip) {
   Scene scene;
   scene.gravity.setZero();
   scene.ground.reset();
-  scene.analysis = Analysis::equilibrium;
+  scene.analysis = Analysis::static_;
   BodyDescription body;
   body.shape = BoxShape{Vec3(strip.length(), strip.width(), strip.thickness),
                         Vec3(strip.width(), strip.width(), strip.thickness), strip.pattern};
@@ -144,7 +144,7 @@ Scene free_strip(double spin) {
   Strip strip;
   Scene scene = strip_scene(strip);
   scene.analysis = Analysis::dynamic;
-  scene.simulation.integrator = Integrator::implicit_euler;
+  scene.simulation.integrator = Integrator::implicit;
   scene.simulation.relative_residual = 1e-8;
   scene.simulation.max_solver_iterations = 4000;
   scene.bodies[0].supports.clear();
@@ -183,7 +183,7 @@ Scene swinging_strip() {
   Strip strip;
   Scene scene = strip_scene(strip);
   scene.analysis = Analysis::dynamic;
-  scene.simulation.integrator = Integrator::implicit_euler;
+  scene.simulation.integrator = Integrator::implicit;
   scene.simulation.static_start = false;
   scene.simulation.time_step = 1e-3;
   scene.simulation.relative_residual = 1e-8;
@@ -301,7 +301,7 @@ TEST(QuadraticBody, SwingsExplicitlyAtEulersFrequency) {
                            std::sqrt(material.young_modulus / material.density);
   scene.bodies[0].loads = {tip_load(strip, force)};
   scene.analysis = Analysis::dynamic;
-  scene.simulation.integrator = Integrator::symplectic_euler;
+  scene.simulation.integrator = Integrator::explicit_;
   scene.simulation.static_start = false;
   scene.simulation.fracture = false;
   scene.simulation.time_step = std::numbers::pi / frequency / 4;
@@ -316,7 +316,7 @@ TEST(QuadraticBody, SwingsExplicitlyAtEulersFrequency) {
 TEST(QuadraticBody, KeepsMomentaAndEnergyExplicitly) {
   for (const double damping : {0.0, 1e-6}) {
     Scene scene = free_strip(40);
-    scene.simulation.integrator = Integrator::symplectic_euler;
+    scene.simulation.integrator = Integrator::explicit_;
     scene.simulation.time_step = 2e-4;
     scene.bodies[0].material.stiffness_damping = damping;
     World world(scene);

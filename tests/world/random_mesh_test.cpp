@@ -100,7 +100,7 @@ Scene random_setting(Scene scene, RandomValues& random) {
   body.material.element_model = random.index(2) == 0 ? ElementModel::green_strain : ElementModel::corotational;
   body.remeshing = random.index(2) == 0;
   if (random.index(3) == 0) body.supports = {{HalfSpaceRegion{Vec3::Zero(), -Vec3::UnitY()}}};
-  if (random.index(6) == 0) scene.analysis = Analysis::equilibrium;
+  if (random.index(6) == 0) scene.analysis = Analysis::static_;
   return scene;
 }
 

@@ -153,7 +153,7 @@ TEST(Settled, FallingAsleepTakesNextToNoEnergy) {
   const double before = start.totals.kinetic_energy + start.totals.elastic_energy;
   step_until(world, 1.5);
   EXPECT_NEAR(world.frame().totals.kinetic_energy + world.frame().totals.elastic_energy, before, 1e-2 * before);
-  EXPECT_LT(std::abs(world.frame().energy.hand_over), 1e-2 * before);
+  EXPECT_LT(std::abs(world.frame().energy.regime_change), 1e-2 * before);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // Impacts of more microsteps than the budget leaves: bodies scaled by dynamic similarity.
 
-#include "sim/world/shock/similarity.h"
+#include "sim/world/explicit/similarity.h"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +8,11 @@
 #include <functional>
 
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/explicit/explicit_regime.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/motion_phase.h"
 #include "sim/world/scaled_breaks.h"
 #include "sim/world/setup/build_world.h"
-#include "sim/world/shock/shock_phase.h"
 #include "sim/world/step_counters.h"
 #include "sim/world/world.h"
 #include "sim/world/world_state.h"
@@ -131,7 +131,7 @@ struct StretchedBar {
     }
     update_elements(world);
     update_motion(world, body());
-    enter_shock(world, body(), 1);
+    begin_explicit(world, body(), 1);
   }
   static Scene scene(bool supported) {
     Scene scene = body_of(Vec3(1, 0.2, 0.2), 0.1);
@@ -168,7 +168,7 @@ TEST(Similarity, TheEndGivesTheShapeThatBelongsToTheStress) {
     update_elements(world, bar.body());
     const std::vector<ElementState> scaled = world.elements.states;
     const RigidMotion motion = motion_of(world, bar.body());
-    end_shock(world, bar.body());
+    end_explicit(world, bar.body());
     for (const TetId tet : IdRange<TetId>(0, world.mesh->tet_count()))
       EXPECT_LT((world.elements.states[tet].stress.full() - scaled[tet].stress.full()).norm(),
                 1e-3 * scaled[tet].stress.full().norm());

@@ -30,7 +30,7 @@ Scene bar(const Vec3& element_size, BoxPattern pattern) {
 }
 
 double peak_utilization(Scene scene) {
-  scene.analysis = Analysis::equilibrium;
+  scene.analysis = Analysis::static_;
   scene.simulation.fracture = false;
   World world(scene);
   world.step();

@@ -45,7 +45,7 @@ TEST(SurfacePoint, IsTheClosestOfAllFaces) {
   }
 }
 
-TEST(SurfacePoint, OfACornerOrACentreIsItself) {
+TEST(SurfacePoint, OfACornerOrACenterIsItself) {
   WorldState world = build_world(struck_block(Material{}));
   const Body& body = world.bodies[BodyId(0)];
   const SurfaceSearch surface(world, body);

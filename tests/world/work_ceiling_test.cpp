@@ -50,7 +50,7 @@ Scene thrown_cube(double budget) {
 }
 
 TEST(WorkCeiling, HoldsInEveryStepAndIsTold) {
-  World world(thrown_cube(0.1), GivenMeshes{{"cube", cube_with_slivers()}});
+  World world(thrown_cube(0.1), InMemoryMeshes{{"cube", cube_with_slivers()}});
   StepReport total;
   for (int step = 0; step < 30; ++step) {
     world.step();
@@ -64,7 +64,7 @@ TEST(WorkCeiling, HoldsInEveryStepAndIsTold) {
 }
 
 TEST(WorkCeiling, CutsNothingWhereTheBudgetIsLarge) {
-  World world(thrown_cube(1000), GivenMeshes{{"cube", cube_with_slivers()}});
+  World world(thrown_cube(1000), InMemoryMeshes{{"cube", cube_with_slivers()}});
   StepReport total;
   for (int step = 0; step < 2; ++step) {
     world.step();
@@ -80,7 +80,7 @@ TEST(WorkCeiling, TheNumberOfThreadsChangesNoBit) {
   std::vector<std::uint64_t> hashes;
   for (const int threads : {1, 2, 4}) {
     const ThreadLimit limit(threads);
-    World world(thrown_cube(0.1), GivenMeshes{{"cube", cube_with_slivers()}});
+    World world(thrown_cube(0.1), InMemoryMeshes{{"cube", cube_with_slivers()}});
     for (int step = 0; step < 6; ++step) world.step();
     hashes.push_back(world.state_hash());
   }

@@ -14,7 +14,7 @@ void for_each_surface_face(const Frame& frame, Action action) {
   for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet) {
     const std::array<NodeId, 4>& corners = frame.elements.tets[tet];
     for (std::size_t face = 0; face < 4; ++face) {
-      if (frame.elements.neighbours[tet][face].valid()) continue;
+      if (frame.elements.neighbors[tet][face].valid()) continue;
       const std::array<int, 3>& of_face = kTetFaces[face];
       action(tet, std::array<NodeId, 3>{corners[of_face[0]], corners[of_face[1]], corners[of_face[2]]});
     }

@@ -139,7 +139,7 @@ void timing_rows(const Panel& panel) {
   heading(panel, "Time of the last step");
   time_bar(panel, "Contact", t.contact, t.step);
   time_bar(panel, "Elasticity", t.elasticity, t.step);
-  time_bar(panel, "Explicit dynamics", t.shock, t.step);
+  time_bar(panel, "Explicit dynamics", t.explicit_dynamics, t.step);
   time_bar(panel, "Separation", t.separation, t.step);
   time_bar(panel, "Fracture", t.fracture, t.step);
   time_bar(panel, "Step", t.step, t.step);

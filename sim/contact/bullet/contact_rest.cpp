@@ -67,7 +67,7 @@ void ContactWorld::Impl::resist_rolling(const Contact& contact, double limit) {
   b.state.angular_velocity += spin_mobility(b) * impulse;
 }
 
-/// What lies still for long enough among neighbours that do so too sleeps.
+/// What lies still for long enough among neighbors that do so too sleeps.
 void ContactWorld::Impl::fall_asleep(double dt) {
   if (gravity.isZero(0)) return;  // nothing rests where nothing falls: what drifts slowly goes on
   for (Object& object : objects) {
@@ -99,7 +99,7 @@ void ContactWorld::Impl::wake_up(ProxyId id) {
   if (objects[id].asleep) set_asleep(objects[id], false);
 }
 
-void ContactWorld::Impl::wake_neighbours(ProxyId id) {
+void ContactWorld::Impl::wake_neighbors(ProxyId id) {
   for (const Pair& pair : pairs)
     if ((pair.a == id.index() || pair.b == id.index()) && pair.count > 0)
       wake_up(ProxyId(pair.a == id.index() ? pair.b : pair.a));

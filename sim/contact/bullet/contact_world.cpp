@@ -121,7 +121,7 @@ void ContactWorld::reshape(ProxyId proxy, std::span<const ConvexPart> parts, con
   Object& object = impl_->objects[proxy];
   assert(object.kind == Kind::proxy && object.exists);
   impl_->wake_up(proxy);
-  impl_->wake_neighbours(proxy);
+  impl_->wake_neighbors(proxy);
   impl_->retire(proxy);
   object.mobility = mobility;
   object.state = state;
@@ -141,7 +141,7 @@ void ContactWorld::deform(ProxyId proxy, std::span<const ConvexPart> parts, cons
 void ContactWorld::remove(ProxyId object) {
   assert(impl_->objects[object].exists);
   impl_->wake_up(object);
-  impl_->wake_neighbours(object);
+  impl_->wake_neighbors(object);
   impl_->retire(object);
 }
 

@@ -261,7 +261,7 @@ struct ContactWorld::Impl : contact::ContactState {
   void resist_rolling(const Contact& contact, double limit);
   void fall_asleep(double dt);
   void wake_up(ProxyId id);
-  void wake_neighbours(ProxyId id);
+  void wake_neighbors(ProxyId id);
 
   // Motion.
   bool move_projectiles(double dt);

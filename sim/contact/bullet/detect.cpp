@@ -59,7 +59,7 @@ void ContactWorld::Impl::detect(double dt) {
 
 void ContactWorld::Impl::update_allowances() {
   if (allowances.empty() && std::ranges::none_of(objects, [](const Object& object) { return object.fresh; })) return;
-  std::vector<Allowance> overlaps;  // one per pair of objects: their parts are neighbours
+  std::vector<Allowance> overlaps;  // one per pair of objects: their parts are neighbors
   for (const Pair& pair : pairs) {
     if (pair.count == 0) continue;
     const Object &a = objects[pair.a], &b = objects[pair.b];

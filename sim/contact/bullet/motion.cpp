@@ -35,7 +35,7 @@ constexpr int kMaxTurns = 4;
 /// A motion of `a` as seen from `b`, which stays in its present place.
 struct Sweep {
   const Object &a, &b;
-  Vec3 start;         ///< of a's centre [m]
+  Vec3 start;         ///< of a's center [m]
   Vec3 displacement;  ///< [m]
   double gap;         ///< that counts as touching [m]
 };
@@ -220,7 +220,7 @@ Vec3 ContactWorld::Impl::velocity_at_touch(const Object& projectile, Vec3 veloci
 /// How far a projectile may get into a proxy [m]. An elastic body gives way where it was touched, as the solve knows
 /// and its proxy, which does not deform, does not show.
 double ContactWorld::Impl::allowed_depth(const Object& projectile, const Object& other) const {
-  constexpr double kElasticFraction = 0.5;  // of a sphere: its centre stays outside
+  constexpr double kElasticFraction = 0.5;  // of a sphere: its center stays outside
   const bool yields_now = other.elastic && std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
                             const Object &a = objects[contact.a], &b = objects[contact.b];
                             return (&a == &projectile && &b == &other) || (&a == &other && &b == &projectile);

@@ -14,7 +14,7 @@ namespace {
 /// The overlap, as a share of the smaller radius, that stays, so that all contacts of what rests go on touching.
 constexpr double kOverlapAtRest = 1.2e-3;
 /// A hinge gives way by this share of what the free body would: else what presses on it would find no compliance.
-constexpr double kGivesWay = 1e-3;
+constexpr double kHingedMobility = 1e-3;
 
 }  // namespace
 
@@ -65,7 +65,7 @@ RigidBody ContactWorld::Impl::rigid_body(const Object& object, double dt) const 
   if (object.hinge >= 0) {
     const HingedObject& hinge = hinged[object.hinge];
     body.is_hinged = true;
-    body.inverse_mass = kGivesWay / hinge.mass;
+    body.inverse_mass = kHingedMobility / hinge.mass;
     body.velocity.setZero();
     body.spin = hinge.first_spin;
     body.inverse_inertia = hinge.inverse_inertia;

@@ -43,7 +43,7 @@ ContactWorld::Proxy proxy_of(const WorldState& world, const Body& body) {
 void reshape_proxy(WorldState& world, const Body& body) {
   const auto [parts, mass, mobility, state, surface] = proxy_of(world, body);
   world.contact_world.reshape(body.proxy, parts, mass, mobility, state);
-  world.contact_world.set_impact_speed(body.proxy, hurting_speed(world, body));
+  world.contact_world.set_impact_speed(body.proxy, harmful_impact_speed(world, body));
 }
 
 /// Longest edge of the box round the body at rest [m].
@@ -104,7 +104,7 @@ double visible_speed(const WorldState& world, const Body& body) {
   return speed_of_waves(world.material_of(body), visible_stress(world, body));
 }
 
-double hurting_speed(const WorldState& world, const Body& body) {
+double harmful_impact_speed(const WorldState& world, const Body& body) {
   constexpr std::size_t kCell = 6;  // tets
   constexpr double kOfOneCell = 3;  // damage speeds
   const auto is_front = [&](NodeId node) { return world.nodes.at_crack_front[node] != 0; };
@@ -184,7 +184,7 @@ double rebuild_shape(WorldState& world, Body& body) {
   body.surface.clear();
   for (TetId tet : body.tets)
     for (int face = 0; face < 4; ++face)
-      if (!world.mesh->neighbours[tet][face].valid()) body.surface.push_back({tet, face});
+      if (!world.mesh->neighbors[tet][face].valid()) body.surface.push_back({tet, face});
   body.edges = edges_of(world.tet_edges, body.tets);
   if (!body.edges.empty()) {
     body.system.emplace(world.mesh, world.tet_edges, body.tets, world.nodes.constraints, world.nodes.constraints,
@@ -201,7 +201,7 @@ double rebuild_shape(WorldState& world, Body& body) {
   body.element_size = mean_element_size(world.elements.rest_elements, body.tets);
   body.extent = extent_of(world, body);
   body.weakest_fraction = weakest_fraction_of(world, body);
-  body.asleep = body.untouched = false;
+  body.asleep = body.ballistic = false;
   // A single tet cannot break any further: it is debris from the start.
   body.rigid = body.tets.size() == 1 && !body.supported();
   body.quiet_steps = 0;
@@ -223,7 +223,7 @@ void add_proxies(WorldState& world, std::span<Body> bodies) {
   for (std::size_t i = 0; i < ids.size(); ++i) {
     bodies[i].proxy = ids[i];
     world.body_of_proxy[ids[i]] = bodies[i].id;
-    world.contact_world.set_impact_speed(ids[i], hurting_speed(world, bodies[i]));
+    world.contact_world.set_impact_speed(ids[i], harmful_impact_speed(world, bodies[i]));
   }
 }
 
@@ -268,8 +268,8 @@ void assign_pieces(WorldState& world, BodyId id, std::vector<std::vector<TetId>>
     piece.scene_body = world.bodies[id].scene_body;
     piece.scaled = world.bodies[id].scaled;
     piece.broke_scaled = world.bodies[id].broke_scaled;
-    piece.shock = world.bodies[id].shock;
-    piece.shock_ended = world.bodies[id].shock_ended;
+    piece.explicit_state = world.bodies[id].explicit_state;
+    piece.explicit_ended = world.bodies[id].explicit_ended;
     piece.tets = std::move(pieces[i]);
     for (TetId tet : piece.tets) world.elements.bodies[tet] = piece.id;
     world.bodies.push_back(std::move(piece));
@@ -293,7 +293,7 @@ void rebuild_pieces(WorldState& world, std::span<const BodyId> pieces) {
       body.collision_parts = collision_parts(world, body);
     }
   });
-  for (const double energy : lost) world.energy.hand_over += energy;
+  for (const double energy : lost) world.energy.regime_change += energy;
   std::size_t first_new = world.bodies.size();
   for (const BodyId id : pieces) {
     if (world.bodies[id].proxy.valid()) reshape_proxy(world, world.bodies[id]);

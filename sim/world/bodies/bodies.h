@@ -65,6 +65,6 @@ double damage_speed(const WorldState& world, const Body& body);
 double visible_speed(const WorldState& world, const Body& body);
 /// The same for impacts that have to be judged: more in a body of one cell, without cracks, where no wave comes back as
 /// tension before it has spread. Of 2,500 random ones none broke below 2.2 σ_t/(ρc); finer ones do from 0.77 on [m/s].
-double hurting_speed(const WorldState& world, const Body& body);
+double harmful_impact_speed(const WorldState& world, const Body& body);
 
 }  // namespace griffith

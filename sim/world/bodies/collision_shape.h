@@ -13,7 +13,7 @@ namespace griffith {
 std::vector<ConvexPart> tet_parts(const TetMesh& mesh, std::span<const Vec3> positions, std::span<const TetId> tets,
                                   const Vec3& center);
 
-/// Convex parts of the body's present shape, relative to its centre of mass: of the splinters that it owns where the
+/// Convex parts of the body's present shape, relative to its center of mass: of the splinters that it owns where the
 /// scene asks for that and they are not too many to be told from a whole, else of its tets.
 std::vector<ConvexPart> collision_parts(const WorldState& world, const Body& body);
 

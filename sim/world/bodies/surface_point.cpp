@@ -31,7 +31,7 @@ SurfaceSearch::SurfaceSearch(const WorldState& world, const Body& body)
 
 SurfacePoint SurfaceSearch::closest(const Vec3& position) const {
   const Eigen::VectorXd distances = (centers_.colwise() - position).colwise().norm();
-  double bound = distances.minCoeff();  // a face's centre is one of its points
+  double bound = distances.minCoeff();  // a face's center is one of its points
   double best_distance = std::numeric_limits<double>::infinity();
   SurfacePoint best;
   for (Eigen::Index i = 0; i < radii_.size(); ++i) {

@@ -23,7 +23,7 @@ class SurfaceSearch {
   const WorldState& world_;
   const Body& body_;
   NodeVectors centers_;    // of the faces
-  Eigen::VectorXd radii_;  // of spheres about the centres that hold their faces
+  Eigen::VectorXd radii_;  // of spheres about the centers that hold their faces
 };
 
 }  // namespace griffith

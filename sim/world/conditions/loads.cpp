@@ -32,7 +32,7 @@ std::vector<SurfaceFace> faces_of(const TetMesh& mesh, const RestBody& body, con
   for (int i = 0; i < static_cast<int>(body.soup.tets.size()); ++i)
     for (int face = 0; face < 4; ++face) {
       const TetId tet = TetId(i).shifted(body.range.first_tet);
-      if (!mesh.neighbours[tet][face].valid() && all_marked(body.soup, i, marked, face)) faces.push_back({tet, face});
+      if (!mesh.neighbors[tet][face].valid() && all_marked(body.soup, i, marked, face)) faces.push_back({tet, face});
     }
   return faces;
 }

@@ -39,7 +39,7 @@ struct Outline {
   }
 };
 
-/// Corners about the centre of mass, and what the solid weighs.
+/// Corners about the center of mass, and what the solid weighs.
 Projectile convex_projectile(const std::vector<Vec3>& points, const ProjectileBurst& burst, const std::string& where) {
   ConvexHull hull = convex_hull(points);
   if (!is_solid(hull))
@@ -149,7 +149,7 @@ void launch_projectiles(WorldState& world) {
                             ? world.contact_world.add_convex(projectile.hull->corners,
                                                              {projectile.mass, projectile.inertia}, state, surface)
                             : world.contact_world.add_sphere(projectile.radius, projectile.mass, state, surface);
-    book_launch(world, projectile, state);
+    account_launch(world, projectile, state);
   }
   pending.erase(pending.begin(), due);
 }

@@ -32,7 +32,7 @@ constexpr std::array kEntries = {
                 &EnergyAccount::time_integration},
     EnergyEntry{"hand_over", "Regime changes",
                 "Lost by bodies that become rigid, fall asleep, enter or leave explicit dynamics, or are remeshed.",
-                lost, &EnergyAccount::hand_over},
+                lost, &EnergyAccount::regime_change},
     EnergyEntry{
         "scaling", "Scaling",
         "Additional work that external forces would have done on scaled bodies at full stiffness, and energy of their "

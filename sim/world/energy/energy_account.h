@@ -19,11 +19,11 @@ struct EnergyAccount {
   double edits = 0;        ///< what a change of material while the scene runs added
   // What is lost.
   double plastic = 0;            ///< work of yielding
-  double contacts = 0;           ///< friction, blows without rebound, rolling
+  double contacts = 0;           ///< friction, impacts without rebound, rolling
   double material_damping = 0;   ///< Rayleigh's, of the material
   double microstep_damping = 0;  ///< of the highest frequencies, in microsteps
   double time_integration = 0;   ///< what the implicit step damps, and how far a step's end is from its middle
-  double hand_over = 0;          ///< bodies that turn rigid, fall asleep, enter or leave microsteps, or are cut
+  double regime_change = 0;      ///< bodies that turn rigid, fall asleep, enter or leave microsteps, or are cut
   double scaling = 0;            ///< forces that scaled bodies lack, and what their shape loses when scaling ends
   double limited = 0;            ///< cut off by limits: pushed out overlaps, frozen bodies
   // Beside the account: cracks open for nothing, and what they release ends as waves among the losses.
@@ -33,7 +33,8 @@ struct EnergyAccount {
   double stored() const { return kinetic + elastic; }
   double put_in() const { return start + gravity + loads + supports + projectiles + edits; }
   double lost() const {
-    return plastic + contacts + material_damping + microstep_damping + time_integration + hand_over + scaling + limited;
+    return plastic + contacts + material_damping + microstep_damping + time_integration + regime_change + scaling +
+           limited;
   }
   double unaccounted() const { return put_in() - stored() - lost(); }
   /// What errors are held against: what came in from each source, whatever went out again by another.

@@ -73,19 +73,19 @@ void close_account(WorldState& world, double elastic) {
   world.energy.gravity = world.potential_at_start - potential_energy(world);
 }
 
-void book_edit(WorldState& world, const EnergyNow& before) {
+void account_edit(WorldState& world, const EnergyNow& before) {
   if (world.step == 0) return open_account(world);
   const EnergyNow now = energy_now(world);
   world.energy.edits += now.stored + now.lost - before.stored - before.lost;
   world.potential_at_start += now.potential - before.potential;
 }
 
-void book_launch(WorldState& world, const Projectile& projectile, const RigidState& state) {
+void account_launch(WorldState& world, const Projectile& projectile, const RigidState& state) {
   world.energy.projectiles += kinetic_energy(projectile, state);
   world.potential_at_start -= projectile.mass * world.model->scene.gravity.dot(state.pose.translation);
 }
 
-void book_crack(WorldState& world, TetId tet, int face) {
+void account_crack(WorldState& world, TetId tet, int face) {
   const auto corner = [&](int i) { return world.mesh->rest_positions[world.mesh->tets[tet][kTetFaces[face][i]]]; };
   const double area = 0.25 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();  // the other side counts half
   world.energy.crack_area += area;

@@ -15,12 +15,12 @@
 namespace griffith {
 namespace {
 
-/// Linear and angular impulse about a centre [N·s], [N·m·s].
+/// Linear and angular impulse about a center [N·s], [N·m·s].
 struct RigidImpulse {
   Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
 };
 
-/// What contacts did to everything, per ProxyId; of moved objects about their centres before they move.
+/// What contacts did to everything, per ProxyId; of moved objects about their centers before they move.
 std::vector<RigidImpulse> contact_impulses(const WorldState& world) {
   std::vector<Vec3> centers(world.body_of_proxy.size(), Vec3::Zero());
   for (const Body& body : world.bodies) centers[body.proxy] = body.motion.center;
@@ -46,7 +46,7 @@ std::vector<RigidImpulse> contact_impulses(const WorldState& world) {
 double twice_turning_energy(const Mat3& inertia, const Vec3& spin) { return spin.dot(inertia * spin); }
 
 /// A rigid body's kick by external forces and contacts.
-void book_rigid_contacts(WorldState& world, const Body& body, const RigidImpulse& impulse, double dt) {
+void account_rigid_contacts(WorldState& world, const Body& body, const RigidImpulse& impulse, double dt) {
   const RigidStart& start = body.start;
   const RigidMotion& now = body.motion;
   const double damping = start.falls ? 1 + dt * world.material_of(body).mass_damping : 1;
@@ -64,7 +64,7 @@ void book_rigid_contacts(WorldState& world, const Body& body, const RigidImpulse
 }
 
 /// A projectile's kick, and its motion, which the contact world has made.
-void book_projectile(WorldState& world, std::size_t index, const RigidImpulse& impulse, double dt) {
+void account_projectile(WorldState& world, std::size_t index, const RigidImpulse& impulse, double dt) {
   const Projectile& projectile = world.projectiles[index];
   if (world.contact_world.asleep(projectile.object)) return;
   const RigidState& start = world.scratch.substep_start.projectiles[index];
@@ -193,13 +193,13 @@ void record_substep_start(WorldState& world) {
   }
 }
 
-void book_rigid_contacts(WorldState& world, double dt) {
+void account_rigid_contacts(WorldState& world, double dt) {
   const std::vector<RigidImpulse> impulses = contact_impulses(world);
   for (const Body& body : world.bodies)
-    if (body.rigid && !body.asleep && !body.shock && !body.supported())
-      book_rigid_contacts(world, body, impulses[body.proxy], dt);
+    if (body.rigid && !body.asleep && !body.explicit_state && !body.supported())
+      account_rigid_contacts(world, body, impulses[body.proxy], dt);
   for (std::size_t i = 0; i < world.projectiles.size(); ++i)
-    book_projectile(world, i, impulses[world.projectiles[i].object], dt);
+    account_projectile(world, i, impulses[world.projectiles[i].object], dt);
 }
 
 BodySnapshot snapshot(const WorldState& world, const Body& body) {
@@ -341,7 +341,7 @@ EnergyAccount spent_in_rigid_move(const WorldState& world, const Body& body, con
   return spent;
 }
 
-ObstacleAccount::Kept ObstacleAccount::kept_by(const WorldState& world, const shock::Obstacle& obstacle) {
+ObstacleAccount::Kept ObstacleAccount::kept_by(const WorldState& world, const explicit_dynamics::Obstacle& obstacle) {
   if (!obstacle.object.valid() || obstacle.inverse_mass == 0) return {};
   const BodyId id = world.body_of(obstacle.object);
   if (id.valid()) return {energy_of(world, world.bodies[id]), world.bodies[id].motion.center};
@@ -353,15 +353,15 @@ ObstacleAccount::Kept ObstacleAccount::kept_by(const WorldState& world, const sh
   return {};
 }
 
-ObstacleAccount::ObstacleAccount(const WorldState& world, std::span<const shock::Obstacle> obstacles) {
-  for (const shock::Obstacle& obstacle : obstacles) before_.push_back(kept_by(world, obstacle));
+ObstacleAccount::ObstacleAccount(const WorldState& world, std::span<const explicit_dynamics::Obstacle> obstacles) {
+  for (const explicit_dynamics::Obstacle& obstacle : obstacles) before_.push_back(kept_by(world, obstacle));
 }
 
-void ObstacleAccount::book(WorldState& world, std::span<const shock::Obstacle> obstacles) const {
+void ObstacleAccount::record(WorldState& world, std::span<const explicit_dynamics::Obstacle> obstacles) const {
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
     if (obstacles[i].inverse_mass == 0 || !std::isfinite(obstacles[i].energy_gained)) continue;
     const Kept after = kept_by(world, obstacles[i]);
-    world.energy.hand_over += before_[i].energy + obstacles[i].energy_gained - after.energy;
+    world.energy.regime_change += before_[i].energy + obstacles[i].energy_gained - after.energy;
     world.energy.time_integration +=
         world.model->scene.gravity.dot(after.center - before_[i].center) / obstacles[i].inverse_mass;
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/shock/obstacle.h"
+#include "sim/explicit/obstacle.h"
 #include "sim/world/energy/elastic_works.h"
 #include "sim/world/world_state.h"
 
@@ -28,14 +28,14 @@ struct EnergyNow {
   double stored = 0, potential = 0, lost = 0;  ///< [J]; lost: as booked so far
 };
 EnergyNow energy_now(const WorldState& world);
-void book_edit(WorldState& world, const EnergyNow& before);
-void book_launch(WorldState& world, const Projectile& projectile, const RigidState& state);
+void account_edit(WorldState& world, const EnergyNow& before);
+void account_launch(WorldState& world, const Projectile& projectile, const RigidState& state);
 
 /// When a substep begins.
 void record_substep_start(WorldState& world);
 /// What contacts took from rigid bodies and projectiles, and how these fell, after their velocities were solved for a
 /// substep of `dt` [s] and before bodies move.
-void book_rigid_contacts(WorldState& world, double dt);
+void account_rigid_contacts(WorldState& world, double dt);
 
 /// A body before it moves.
 struct BodySnapshot {
@@ -65,23 +65,23 @@ EnergyAccount spent_in_rigid_move(const WorldState& world, const Body& body, con
 /// Work of yielding, since `before` [J].
 double plastic_work(const WorldState& world, const Body& body, const BodySnapshot& before);
 
-/// Counts the area of new cracks: faces of a tet that have just lost their neighbours, one side of each crack.
-void book_crack(WorldState& world, TetId tet, int face);
+/// Counts the area of new cracks: faces of a tet that have just lost their neighbors, one side of each crack.
+void account_crack(WorldState& world, TetId tet, int face);
 
 /// What obstacles of microsteps are in the world, to tell what is lost when they are taken back to it.
 class ObstacleAccount {
  public:
   /// Takes the velocities that they have when the microsteps begin.
-  ObstacleAccount(const WorldState& world, std::span<const shock::Obstacle> obstacles);
+  ObstacleAccount(const WorldState& world, std::span<const explicit_dynamics::Obstacle> obstacles);
   /// Books what was lost, once they are back in the world.
-  void book(WorldState& world, std::span<const shock::Obstacle> obstacles) const;
+  void record(WorldState& world, std::span<const explicit_dynamics::Obstacle> obstacles) const;
 
  private:
   struct Kept {
     double energy = 0;
     Vec3 center = Vec3::Zero();
   };
-  static Kept kept_by(const WorldState& world, const shock::Obstacle& obstacle);
+  static Kept kept_by(const WorldState& world, const explicit_dynamics::Obstacle& obstacle);
   std::vector<Kept> before_;
 };
 

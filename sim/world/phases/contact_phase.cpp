@@ -11,6 +11,7 @@
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/contact_views.h"
 #include "sim/world/energy/energy_phase.h"
+#include "sim/world/explicit/struck_bodies.h"
 #include "sim/world/phases/elastic_contacts.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/expected_impacts.h"
@@ -19,7 +20,6 @@
 #include "sim/world/phases/quasi_static.h"
 #include "sim/world/phases/rest_phase.h"
 #include "sim/world/phases/touched_body.h"
-#include "sim/world/shock/struck_bodies.h"
 #include "sim/world/world_state.h"
 
 namespace griffith {
@@ -35,7 +35,7 @@ bool could_deform(const WorldState& world, const Body& body, double force) {
 
 /// True if whoever is hurt by a contact was found before the step: impacts have their own phase, and the mean force of
 /// one in a long step says nothing. What is too soft for microsteps is left to the implicit step.
-bool is_left_to_shock(const WorldState& world, const Body& body, const Contact& contact) {
+bool is_left_to_microsteps(const WorldState& world, const Body& body, const Contact& contact) {
   return world.model->scene.simulation.integrator == Integrator::hybrid && contact.approach > min_impact_speed(world) &&
          (!deforms_visibly(world, body) || suits_microsteps(world, body, 0));
 }
@@ -52,10 +52,10 @@ Vec3 load_of(const WorldState& world, const Body& body, ProxyId other, double dt
 
 /// Whether what an object does to a rigid body is no more than it did when the body was seen to be calm: however much
 /// rests on few points then, faces spread it.
-bool is_harmless(const WorldState& world, const Body& body, ProxyId other, double dt) {
+bool is_known_load(const WorldState& world, const Body& body, ProxyId other, double dt) {
   constexpr double kSame = 0.1;
-  const auto known = std::ranges::find(body.harmless, other, &ContactLoad::other);
-  if (known == body.harmless.end()) return false;
+  const auto known = std::ranges::find(body.known_contact_loads, other, &ContactLoad::other);
+  if (known == body.known_contact_loads.end()) return false;
   const double more = (load_of(world, body, other, dt) - known->force).norm();
   return more <= kSame * known->force.norm() || !could_deform(world, body, more);
 }
@@ -63,11 +63,11 @@ bool is_harmless(const WorldState& world, const Body& body, ProxyId other, doubl
 /// Notes what elastic bodies carry in a substep of `dt` [s]; once they are rigid it stands.
 void record_loads(WorldState& world, double dt) {
   for (Body& body : world.bodies)
-    if (body.sways()) body.harmless.clear();
+    if (body.is_deformable()) body.known_contact_loads.clear();
   const auto note = [&](ProxyId object, ProxyId other, const Vec3& force) {
     const BodyId id = world.body_of(object);
-    if (!id.valid() || !world.bodies[id].sways()) return;
-    std::vector<ContactLoad>& loads = world.bodies[id].harmless;
+    if (!id.valid() || !world.bodies[id].is_deformable()) return;
+    std::vector<ContactLoad>& loads = world.bodies[id].known_contact_loads;
     const auto known = std::ranges::find(loads, other, &ContactLoad::other);
     known == loads.end() ? loads.push_back({other, force}) : void(known->force += force);
   };
@@ -79,14 +79,14 @@ void record_loads(WorldState& world, double dt) {
 }
 
 /// Whether a rigid or sleeping body has to sway under a contact: one that could hurt it, or the first that it meets.
-bool must_give_way(const WorldState& world, const Body& body, const Contact& contact, double dt) {
-  if (body.untouched) return !contact.impulse.isZero(0);
-  return could_deform(world, body, contact.impulse.norm() / dt) && !is_left_to_shock(world, body, contact) &&
-         !is_harmless(world, body, contact.a == body.proxy ? contact.b : contact.a, dt);
+bool must_deform(const WorldState& world, const Body& body, const Contact& contact, double dt) {
+  if (body.ballistic) return !contact.impulse.isZero(0);
+  return could_deform(world, body, contact.impulse.norm() / dt) && !is_left_to_microsteps(world, body, contact) &&
+         !is_known_load(world, body, contact.a == body.proxy ? contact.b : contact.a, dt);
 }
 
 /// Whether a body is as yet immovable or rigid under its contacts and need not be.
-bool may_give_way(const Body& body) { return body.rigid ? !body.supported() : body.asleep; }
+bool may_deform(const Body& body) { return body.rigid ? !body.supported() : body.asleep; }
 
 /// Makes rigid and sleeping bodies sway that must under the impulses found; whether there were any.
 bool make_struck_bodies_elastic(WorldState& world, double dt) {
@@ -94,8 +94,7 @@ bool make_struck_bodies_elastic(WorldState& world, double dt) {
   for (const Contact& contact : world.contact_world.contacts())
     for (ProxyId side : {contact.a, contact.b}) {
       const BodyId id = world.body_of(side);
-      if (!id.valid() || !may_give_way(world.bodies[id]) || !must_give_way(world, world.bodies[id], contact, dt))
-        continue;
+      if (!id.valid() || !may_deform(world.bodies[id]) || !must_deform(world, world.bodies[id], contact, dt)) continue;
       const bool slept = world.bodies[id].asleep;
       if (world.bodies[id].rigid) place_rigid_nodes(world, world.bodies[id]);
       make_elastic(world, world.bodies[id]);
@@ -232,7 +231,7 @@ TouchedBodies solve_contacts(WorldState& world, double dt) {
 void place_proxies(WorldState& world) {
   for (Body& body : world.bodies) {
     if (body.asleep) continue;
-    if (body.sways() && deforms_visibly(world, body)) follow_deformation(world, body);
+    if (body.is_deformable() && deforms_visibly(world, body)) follow_deformation(world, body);
     RigidState state{{body.motion.center, body.orientation}, body.motion.velocity, body.motion.angular_velocity};
     if (body.supported()) state.velocity = state.angular_velocity = Vec3::Zero();
     world.contact_world.set_state(body.proxy, state);
@@ -246,21 +245,21 @@ std::vector<Vec3> external_forces(const WorldState& world, double dt) {
   return forces;
 }
 
-/// What touches a body in shock is left to the microsteps.
-void drop_contacts_of_shocks(WorldState& world) {
-  std::vector<bool> in_shock(world.body_of_proxy.size(), false);
+/// What touches a body in explicit dynamics is left to the microsteps.
+void drop_contacts_of_explicit_bodies(WorldState& world) {
+  std::vector<bool> is_explicit(world.body_of_proxy.size(), false);
   for (const Body& body : world.bodies)
-    if (body.shock) in_shock[body.proxy] = true;
-  world.contact_world.drop_contacts_of(in_shock);
+    if (body.explicit_state) is_explicit[body.proxy] = true;
+  world.contact_world.drop_contacts_of(is_explicit);
 }
 
 void make_first_struck_elastic(WorldState& world, double duration) {
-  const auto is_untouched = [&](BodyId id) { return id.valid() && world.bodies[id].untouched; };
-  if (std::ranges::none_of(world.bodies, &Body::untouched)) return;
-  const auto matters = [&](BodyId a, BodyId b) { return is_untouched(a) || is_untouched(b); };
+  const auto is_ballistic = [&](BodyId id) { return id.valid() && world.bodies[id].ballistic; };
+  if (std::ranges::none_of(world.bodies, &Body::ballistic)) return;
+  const auto matters = [&](BodyId a, BodyId b) { return is_ballistic(a) || is_ballistic(b); };
   for (const auto& impact : expected_impacts(world, duration, matters))
     for (const BodyId id : {world.body_of(impact.a), world.body_of(impact.b)}) {
-      if (!is_untouched(id)) continue;
+      if (!is_ballistic(id)) continue;
       place_rigid_nodes(world, world.bodies[id]);
       make_elastic(world, world.bodies[id]);
     }
@@ -268,7 +267,7 @@ void make_first_struck_elastic(WorldState& world, double duration) {
 
 void find_contacts(WorldState& world, double dt) {
   world.contact_world.detect(dt);  // before the prediction, by which all that rests is about to fall
-  drop_contacts_of_shocks(world);
+  drop_contacts_of_explicit_bodies(world);
   choose_quasi_static_bodies(world);
 }
 
@@ -281,7 +280,7 @@ void resolve_contacts(WorldState& world, double dt) {
   push_rigid_velocities(world, taken_for_rigid(world, touched));
   world.contact_world.advance(dt);
   read_back_rigid_velocities(world);
-  book_rigid_contacts(world, dt);
+  account_rigid_contacts(world, dt);
   apply_corrections(world);
   record_loads(world, dt);
   record_contacts(world);

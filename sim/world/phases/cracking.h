@@ -16,7 +16,7 @@ struct Opened {
   std::set<NodeId> waiting;  ///< a split relieves its neighbourhood: these wait until their stress is known again
   std::vector<NodeCopy> copies;
   std::vector<EdgeCopy> edge_copies;
-  std::vector<TetId> parted;  ///< tets that lost a neighbour
+  std::vector<TetId> parted;  ///< tets that lost a neighbor
   std::size_t first_event = 0;
 };
 

@@ -12,9 +12,9 @@
 #include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/element_states.h"
+#include "sim/world/explicit/similarity.h"
 #include "sim/world/phases/explicit_phase.h"
 #include "sim/world/phases/motion_phase.h"
-#include "sim/world/shock/similarity.h"
 #include "sim/world/world_state.h"
 
 namespace griffith {
@@ -133,8 +133,8 @@ namespace {
 
 void update_quadratic_elements(WorldState& world, const Body& body) {
   ElementArrays& elements = world.elements;
-  const ElasticLaw law = law_in_shock(world, body);
-  const double similarity = body.shock ? body.shock->similarity : 1;
+  const ElasticLaw law = effective_elastic_law(world, body);
+  const double similarity = body.explicit_state ? body.explicit_state->similarity : 1;
   std::vector<ElementState>& states = elements.states.edit();
   std::vector<QuadraticState>& quadratic = elements.quadratic_states.edit();
   std::vector<Mat3>& stresses = elements.stresses.edit();
@@ -158,9 +158,10 @@ void update_elements(WorldState& world, const Body& body) {
   ElementArrays& elements = world.elements;
   std::vector<ElementState>& states = elements.states.edit();
   std::vector<Mat3>& stresses = elements.stresses.edit();
-  const PlacedElements placed{law_in_shock(world, body), world.mesh, elements.rest_elements, world.nodes.positions};
+  const PlacedElements placed{effective_elastic_law(world, body), world.mesh, elements.rest_elements,
+                              world.nodes.positions};
   const std::optional<PlasticLaw> plastic = plastic_law(world.material_of(body));
-  const double similarity = body.shock ? body.shock->similarity : 1;
+  const double similarity = body.explicit_state ? body.explicit_state->similarity : 1;
   const auto strain_of = [&](TetId tet, const FourDeformations& deformations, int lane) {
     if (plastic) elements.plastic_strains[tet] = flow(*plastic, deformations.of(lane), elements.plastic_strains[tet]);
     return elements.stress_free_strain(tet);
@@ -177,13 +178,13 @@ void update_elements(WorldState& world, const Body& body) {
 
 void update_elements(WorldState& world) {
   for (const Body& body : world.bodies)
-    if (body.sways()) update_elements(world, body);
+    if (body.is_deformable()) update_elements(world, body);
 }
 
 void assemble_systems(WorldState& world, double dt) {
   parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i)
-      if (world.bodies[i].sways()) assemble_system(world, world.bodies[i], dt);
+      if (world.bodies[i].is_deformable()) assemble_system(world, world.bodies[i], dt);
   });
 }
 
@@ -219,7 +220,7 @@ void predict_velocities(WorldState& world, std::vector<Vec3> forces, double dt) 
       Body& body = world.bodies[i];
       if (body.asleep) continue;
       for (const NodeId node : body.nodes) world.nodes.reactions[node].setZero();
-      if (body.shock) continue;
+      if (body.explicit_state) continue;
       if (body.rigid) {
         predict_rigid(world, body, forces, dt);
       } else {

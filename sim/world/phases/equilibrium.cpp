@@ -55,7 +55,7 @@ StaticProblem problem_of(WorldState& world, const Body& body, std::span<const No
 
 void settle(WorldState& world, Body& body, const StaticProblem& problem, const Monitor& monitor) {
   StaticSettings settings;
-  settings.given_up = monitor.cancelled;
+  settings.cancelled = monitor.cancelled;
   const StaticReport report = solve_static(problem, settings, world.nodes.positions, world.elements.states.edit());
   if (monitor.is_cancelled()) throw Cancelled();
   for (NodeId node : body.nodes) world.nodes.velocities[node] = world.nodes.reactions[node] = Vec3::Zero();

@@ -58,7 +58,7 @@ struct FacePair {
 
 bool is_of_nodes(const Contact& contact) { return contact.node_a.valid() || contact.node_b.valid(); }
 
-bool is_elastic(const WorldState& world, BodyId id) { return id.valid() && world.bodies[id].sways(); }
+bool is_elastic(const WorldState& world, BodyId id) { return id.valid() && world.bodies[id].is_deformable(); }
 
 /// Allowed overlap of two bodies with which their faces meet all the same [m]: detection finds overlaps of rounding
 /// where they are placed to touch. What is hard holds on the points of its proxy then.
@@ -187,7 +187,7 @@ void add_face_contacts(const WorldState& world, const FacePair& pair, std::vecto
 
 /// True if the ground acts on a body: where it stands still on supports, they carry it.
 bool may_lie_on_ground(const WorldState& world, const Body& body, ProxyId ground) {
-  if (!body.sways() || body.shock) return false;
+  if (!body.is_deformable() || body.explicit_state) return false;
   if (!body.supported()) return true;
   const auto is_this = [&](const Contact& contact) {
     return (contact.a == body.proxy && contact.b == ground) || (contact.b == body.proxy && contact.a == ground);

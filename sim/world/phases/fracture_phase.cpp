@@ -32,7 +32,7 @@ void restore_postponed(WorldState& world) {
 std::vector<NodeId> overloaded_nodes(const WorldState& world) {
   std::vector<NodeId> nodes;
   for (const Body& body : world.bodies) {
-    if (!body.sways()) continue;
+    if (!body.is_deformable()) continue;
     for (NodeId node : body.nodes)
       if (world.nodes.separations[node].utilization > 1) nodes.push_back(node);
   }
@@ -105,7 +105,7 @@ CrackEvent describe(const WorldState& world, NodeId node, const std::vector<std:
   event.eigenvalue = separation.eigenvalue;
   event.load = separation.utilization * separation.resistance;
   event.resistance = separation.resistance;
-  if (body.shock && body.shock->similarity < 1) event.scaled = body.scaled;
+  if (body.explicit_state && body.explicit_state->similarity < 1) event.scaled = body.scaled;
   const SeparationInput input = separation_input(world);
   const std::vector<TetId>& star = world.mesh->stars[node];
   for (std::size_t i = 0; i < star.size(); ++i)
@@ -113,14 +113,14 @@ CrackEvent describe(const WorldState& world, NodeId node, const std::vector<std:
   return event;
 }
 
-/// Notes when the faces were opened that have no neighbour any more.
+/// Notes when the faces were opened that have no neighbor any more.
 void date_open_faces(WorldState& world, const std::vector<TetId>& parted) {
   for (TetId tet : parted)
     for (int face = 0; face < 4; ++face) {
-      const bool open = !world.mesh->neighbours[tet][face].valid() && !(world.elements.first_surface[tet] >> face & 1);
+      const bool open = !world.mesh->neighbors[tet][face].valid() && !(world.elements.first_surface[tet] >> face & 1);
       if (!open || !std::isnan(world.elements.opened[tet][face])) continue;
       world.elements.opened.edit()[tet][face] = world.time;
-      book_crack(world, tet, face);
+      account_crack(world, tet, face);
     }
 }
 
@@ -207,7 +207,7 @@ std::vector<BodyId> children_of(const WorldState& world, const CrackEvent& event
 
 void part_opened(WorldState& world, const Opened& opened) {
   restore_angular_momentum(world, opened.motions);
-  follow_cracks(world.model->splinters, world.mesh->neighbours, opened.parted, world.splinter_state);
+  follow_cracks(world.model->splinters, world.mesh->neighbors, opened.parted, world.splinter_state);
   const std::vector<BodyId> pieces =
       part_bodies(world, std::vector<BodyId>(opened.bodies.begin(), opened.bodies.end()));
   release_unbonded(world, pieces);

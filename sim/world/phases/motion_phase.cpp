@@ -216,7 +216,7 @@ void keep_whole_motion(WorldState& world, const Body& body) {
 void stop_deforming(WorldState& world, const Body& body) {
   const double before = kinetic_energy_of(world, body);
   keep_whole_motion(world, body);
-  world.energy.hand_over += before - kinetic_energy_of(world, body);
+  world.energy.regime_change += before - kinetic_energy_of(world, body);
 }
 
 void make_rigid(WorldState& world, Body& body) {
@@ -293,7 +293,7 @@ void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt
   parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       Body& body = world.bodies[i];
-      if (body.asleep || body.shock) continue;
+      if (body.asleep || body.explicit_state) continue;
       if (body.rigid) {
         const RigidMotion before = body.motion;
         move_rigid(world, body, dt);
@@ -310,30 +310,30 @@ void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt
   });
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     Body& body = world.bodies[i];
-    if (!body.asleep && !body.shock) world.energy += spent[i];
+    if (!body.asleep && !body.explicit_state) world.energy += spent[i];
     freeze_if_broken_down(world, body);
     world.report.unconverged_motions += moves[i] == ElasticMove::unconverged;
-    if (!body.sways()) continue;
+    if (!body.is_deformable()) continue;
     for (TetId tet : body.tets) world.report.inverted_tets += world.elements.states[tet].inverted;
   }
   place_proxies(world);
 }
 
-void set_untouched(WorldState& world, Body& body, bool untouched) {
-  if (body.untouched == untouched) return;
-  body.untouched = untouched;
-  world.contact_world.set_impact_speed(body.proxy, untouched ? 0 : hurting_speed(world, body));
+void set_ballistic(WorldState& world, Body& body, bool ballistic) {
+  if (body.ballistic == ballistic) return;
+  body.ballistic = ballistic;
+  world.contact_world.set_impact_speed(body.proxy, ballistic ? 0 : harmful_impact_speed(world, body));
 }
 
 void make_elastic(WorldState& world, Body& body) {
   world.contact_world.wake_up(body.proxy);
   const double before = elastic_energy(world, body);
-  set_untouched(world, body, false);
+  set_ballistic(world, body, false);
   body.rigid = body.asleep = false;
   body.quiet_steps = 0;
   body.rest.time = 0;
   update_elements(world, body);  // it has turned since
-  world.energy.hand_over += before - elastic_energy(world, body);
+  world.energy.regime_change += before - elastic_energy(world, body);
 }
 
 }  // namespace griffith

@@ -10,7 +10,7 @@ namespace griffith {
 /// Lets a rigid or sleeping body sway again.
 void make_elastic(WorldState& world, Body& body);
 /// Sets whether a body is untouched: then whatever strikes it is to be foretold.
-void set_untouched(WorldState& world, Body& body, bool untouched);
+void set_ballistic(WorldState& world, Body& body, bool ballistic);
 void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>& forces, double dt);
 /// Moves every body by its velocities and takes the elastic state after; `external` as in predict_velocities().
 void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt);
@@ -30,14 +30,14 @@ void freeze_if_broken_down(WorldState& world, Body& body);
 void make_rigid(WorldState& world, Body& body);
 /// Makes a body rigid from now on, its stress gone. A free one keeps its momentum, a supported one stands still.
 void freeze(WorldState& world, Body& body);
-/// The sum of nodal forces on a body [N], and their torque about its centre of mass [N·m].
+/// The sum of nodal forces on a body [N], and their torque about its center of mass [N·m].
 struct Wrench {
   Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
 };
 Wrench wrench_of(const WorldState& world, const Body& body, const std::vector<Vec3>& forces);
 /// Leaves a deformable body the velocities of its motion as a whole alone.
 void keep_whole_motion(WorldState& world, const Body& body);
-/// The same; the energy of what is lost goes to EnergyAccount::hand_over.
+/// The same; the energy of what is lost goes to EnergyAccount::regime_change.
 void stop_deforming(WorldState& world, const Body& body);
 /// Kinetic energy of a deformable body's nodes and edges [J].
 double kinetic_energy_of(const WorldState& world, const Body& body);

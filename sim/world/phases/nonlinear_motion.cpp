@@ -44,7 +44,7 @@ class Deformation {
       const double scale = std::sqrt(dot(forces, forces)) + std::sqrt(dot(load_, load_));
       const double tolerance = world_.model->scene.simulation.relative_residual;
       if (std::sqrt(dot(residual, residual)) <= tolerance * scale) return true;
-      if (!go_along(direction(residual), e, energy)) return false;
+      if (!search_along(direction(residual), e, energy)) return false;
     }
     return false;
   }
@@ -122,7 +122,7 @@ class Deformation {
   }
 
   /// Backtracks until the energy falls (Armijo); false where it does not.
-  bool go_along(const NodeVectors& d, NodeVectors& e, double& energy) {
+  bool search_along(const NodeVectors& d, NodeVectors& e, double& energy) {
     constexpr double kSmallest = 1e-4;
     for (double step = 1; step >= kSmallest; step /= 2) {
       const NodeVectors next = e + step * d;

@@ -36,7 +36,7 @@ std::vector<int> group_sizes(const WorldState& world) {
   for (const Contact& contact : contacts)
     for (const ProxyId side : {contact.a, contact.b}) {
       const BodyId id = world.body_of(side);
-      responds[side] = world.contact_world.moves(side) || (id.valid() && world.bodies[id].sways());
+      responds[side] = world.contact_world.moves(side) || (id.valid() && world.bodies[id].is_deformable());
     }
   DisjointSets sets(static_cast<int>(objects));
   for (const Contact& contact : contacts)
@@ -65,7 +65,7 @@ void choose_quasi_static_bodies(WorldState& world) {
     const bool is_costly = group > kLargeGroup || (group > 0 && body.nodes.size() > kLargeBody);
     body.quasi_static = is_costly && reaches_equilibrium(world, body, time_step) && hardly_deforms(world, body) &&
                         !is_driven(world, body);
-    if (body.quasi_static && body.sways()) stop_deforming(world, body);
+    if (body.quasi_static && body.is_deformable()) stop_deforming(world, body);
   }
 }
 

@@ -5,11 +5,11 @@
 
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/energy/energy_phase.h"
+#include "sim/world/explicit/struck_bodies.h"
 #include "sim/world/phases/contact_phase.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/motion_phase.h"
 #include "sim/world/phases/separation_phase.h"
-#include "sim/world/shock/struck_bodies.h"
 
 namespace griffith {
 namespace {
@@ -23,7 +23,7 @@ bool all_slower(const WorldState& world, const Body& body, const RigidMotion& wh
 
 /// True if neither stress nor waves come near what could hurt a free body, and neither can be seen. A wave of stress σ
 /// moves nodes by σ/(ρc), in compression as in tension, while it has not yet come to where it could part the body.
-bool is_calm(const WorldState& world, const Body& body) {
+bool is_quiescent(const WorldState& world, const Body& body) {
   constexpr double kQuietUtilization = 0.05, kQuietSpeed = 0.1;
   const auto is_quiet = [&](NodeId node) { return world.nodes.separations[node].utilization < kQuietUtilization; };
   return !sags_visibly(world, body) && !is_visibly_strained(world, body) && std::ranges::all_of(body.nodes, is_quiet) &&
@@ -42,7 +42,7 @@ bool yields_at_first_touch(const WorldState& world, const Body& body) {
 /// alike.
 bool flies_unstressed(const WorldState& world, const Body& body) {
   constexpr double kUnstressed = 1e-3, kUnseen = 0.1;  // of the strain that breaks and that can be seen
-  if (!body.harmless.empty()) return false;
+  if (!body.known_contact_loads.empty()) return false;
   const double stress =
       std::min(kUnstressed * min_breaking_stress(world, body, true), kUnseen * visible_stress(world, body));
   const double strain = stress / world.material_of(body).young_modulus;
@@ -60,12 +60,11 @@ bool stays(const Body& body) {
 /// Whether no wave in a body could hurt it, and nothing moves that could be seen. What supports alone hold may swing,
 /// and what swings stands nearly still twice a period.
 bool is_still(const WorldState& world, const Body& body) {
-  constexpr double kHarmlessSpeed = 0.25, kVisible = 0.02, kSwinging = 1e-6;  // the last two of its extent [1/s]
-  const bool touched = !body.harmless.empty();
+  constexpr double kSafeSpeed = 0.25, kVisible = 0.02, kSwinging = 1e-6;  // the last two of its extent [1/s]
+  const bool touched = !body.known_contact_loads.empty();
   const RigidMotion whole = touched ? motion_of(world, body) : RigidMotion();
-  return all_slower(
-      world, body, whole,
-      std::min(kHarmlessSpeed * damage_speed(world, body), (touched ? kVisible : kSwinging) * body.extent));
+  return all_slower(world, body, whole,
+                    std::min(kSafeSpeed * damage_speed(world, body), (touched ? kVisible : kSwinging) * body.extent));
 }
 
 /// Whether a swaying body, after a step, is as it was when its rest began, and far from breaking. Friction lets loads
@@ -99,13 +98,13 @@ std::vector<bool> driven_bodies(const WorldState& world) {
 }
 
 /// Tells the contact world which of the bodies that sway have settled.
-void tell_settled_bodies(WorldState& world, double time_step) {
+void report_settled_bodies(WorldState& world, double time_step) {
   const std::vector<bool> driven = driven_bodies(world);
   for (Body& body : world.bodies) {
     if (body.asleep) continue;
     std::optional<bool> settled;
     if (!body.rigid) settled = false;
-    if (body.sways() && !driven[body.id]) {
+    if (body.is_deformable() && !driven[body.id]) {
       update_rest(world, body, time_step);
       settled = body.rest.time >= ContactWorld::kTimeToSleep;
     }
@@ -116,7 +115,7 @@ void tell_settled_bodies(WorldState& world, double time_step) {
 void turn_rigid(WorldState& world, Body& body) {
   const double before = energy_of(world, body);
   make_rigid(world, body);
-  world.energy.hand_over += before - energy_of(world, body);
+  world.energy.regime_change += before - energy_of(world, body);
 }
 
 /// Takes what is left of a body's motion.
@@ -125,14 +124,14 @@ void fall_asleep(WorldState& world, Body& body) {
   body.motion.velocity = body.motion.angular_velocity = Vec3::Zero();
   for (const NodeId node : body.nodes) world.nodes.velocities[node].setZero();
   for (const EdgeId edge : body.edges) world.edges.velocities[edge].setZero();
-  world.energy.hand_over += before - energy_of(world, body);
+  world.energy.regime_change += before - energy_of(world, body);
 }
 
 }  // namespace
 
-void rigidify_if_calm(WorldState& world, Body& body) {
-  if (!body.sways() || body.supported() || !is_calm(world, body)) return;
-  set_untouched(world, body, false);
+void rigidify_if_quiescent(WorldState& world, Body& body) {
+  if (!body.is_deformable() || body.supported() || !is_quiescent(world, body)) return;
+  set_ballistic(world, body, false);
   turn_rigid(world, body);
 }
 
@@ -141,21 +140,21 @@ void rigidify_quiet_bodies(WorldState& world) {
   const double time_step = world.model->scene.simulation.time_step;
   const std::vector<bool> strained = strained_bodies(world, {world.time - time_step, world.time});
   for (Body& body : world.bodies) {
-    if (body.untouched && ++body.quiet_steps == kQuietSteps) set_untouched(world, body, false);
-    if (!body.sways() || body.supported()) continue;
-    body.quiet_steps = !strained[body.id] && is_calm(world, body) ? body.quiet_steps + 1 : 0;
+    if (body.ballistic && ++body.quiet_steps == kQuietSteps) set_ballistic(world, body, false);
+    if (!body.is_deformable() || body.supported()) continue;
+    body.quiet_steps = !strained[body.id] && is_quiescent(world, body) ? body.quiet_steps + 1 : 0;
     const bool flies = body.quiet_steps > 0 && flies_unstressed(world, body);
     if (body.tets.size() > 1 && body.quiet_steps < kQuietSteps && !flies) continue;
-    set_untouched(world, body, body.quiet_steps < kQuietSteps && yields_at_first_touch(world, body));
+    set_ballistic(world, body, body.quiet_steps < kQuietSteps && yields_at_first_touch(world, body));
     turn_rigid(world, body);
   }
 }
 
 void update_sleep(WorldState& world, double time_step) {
   const double moving = kinetic_energy_of_projectiles(world);
-  tell_settled_bodies(world, time_step);
+  report_settled_bodies(world, time_step);
   world.contact_world.fall_asleep(time_step);
-  world.energy.hand_over += moving - kinetic_energy_of_projectiles(world);
+  world.energy.regime_change += moving - kinetic_energy_of_projectiles(world);
   for (Body& body : world.bodies) {
     const bool slept = body.asleep;
     body.asleep = world.contact_world.asleep(body.proxy);
@@ -176,7 +175,7 @@ void wake_disturbed_bodies(WorldState& world, double dt) {
   for (Body& body : world.bodies) {
     const bool slept = body.asleep;
     body.asleep = world.contact_world.asleep(body.proxy);
-    if (slept && !body.asleep && body.sways()) join_substep(world, body, true, dt);
+    if (slept && !body.asleep && body.is_deformable()) join_substep(world, body, true, dt);
   }
 }
 

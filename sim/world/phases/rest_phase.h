@@ -8,7 +8,7 @@ namespace griffith {
 /// which cannot break. Those that loads strain stay elastic.
 void rigidify_quiet_bodies(WorldState& world);
 /// Turns a free body rigid at once where neither stress nor waves come near what could hurt it.
-void rigidify_if_calm(WorldState& world, Body& body);
+void rigidify_if_quiescent(WorldState& world, Body& body);
 /// What lies still among others that do so too falls asleep, after a step of this length [s]: rigid bodies, and those
 /// that have settled under a stress that stays. Sleepers keep their stress and reactions of supports, and cost nothing.
 void update_sleep(WorldState& world, double time_step);

@@ -45,7 +45,7 @@ void evaluate_fours(WorldState& world, const SeparationInput& input, std::span<c
                     const LoadsOf& loads_of) {
   for (std::size_t first = 0; first < nodes.size(); first += 4) {
     const std::span<const NodeId> four = nodes.subspan(first, std::min<std::size_t>(4, nodes.size() - first));
-    const std::array<StarLoad, 4> loads = loads_of(four);
+    const std::array<NodeLoad, 4> loads = loads_of(four);
     std::array<DirectionalStrength, 4> strengths;
     for (std::size_t i = 0; i < 4; ++i)
       strengths[i] = i < four.size() ? directional_strength_at(world, input, four[i]) : strengths[i - 1];
@@ -61,8 +61,9 @@ void evaluate_fours(WorldState& world, const SeparationInput& input, std::span<c
 /// As evaluate_nodes() does, to the bit: nodes in a row of a body whose stars are added up.
 void take_sums(WorldState& world, const SeparationInput& input, std::span<const NodeId> nodes, bool averaged) {
   evaluate_fours(world, input, nodes, averaged, [&](std::span<const NodeId> four) {
-    std::array<StarLoad, 4> loads;
-    for (std::size_t i = 0; i < 4; ++i) loads[i] = i < four.size() ? world.scratch.stars[four[i]].load() : loads[i - 1];
+    std::array<NodeLoad, 4> loads;
+    for (std::size_t i = 0; i < 4; ++i)
+      loads[i] = i < four.size() ? world.scratch.node_load_sums[four[i]].load() : loads[i - 1];
     return loads;
   });
 }
@@ -70,7 +71,7 @@ void take_sums(WorldState& world, const SeparationInput& input, std::span<const 
 void evaluate_body(WorldState& world, const SeparationInput& input, const Body& body, bool averaged) {
   parallel_parts(static_cast<int>(body.nodes.size()), 512, [&](int begin, int end) {
     const std::span<const NodeId> nodes = std::span(body.nodes).subspan(begin, end - begin);
-    add_up_stars(input, body.tets, nodes, world.scratch.stars);
+    accumulate_node_loads(input, body.tets, nodes, world.scratch.node_load_sums);
     take_sums(world, input, nodes, averaged);
   });
 }
@@ -78,7 +79,7 @@ void evaluate_body(WorldState& world, const SeparationInput& input, const Body& 
 }  // namespace
 
 void evaluate_nodes(WorldState& world, const SeparationInput& input, std::span<const NodeId> nodes, bool averaged) {
-  evaluate_fours(world, input, nodes, averaged, [&](std::span<const NodeId> four) { return star_loads(input, four); });
+  evaluate_fours(world, input, nodes, averaged, [&](std::span<const NodeId> four) { return node_loads(input, four); });
 }
 
 SeparationInput separation_input(const WorldState& world) {
@@ -88,19 +89,19 @@ SeparationInput separation_input(const WorldState& world) {
 
 void evaluate_separation(WorldState& world, const Body& body) {
   if (body.rigid) return;
-  world.scratch.stars.resize(world.nodes.positions.size());
+  world.scratch.node_load_sums.resize(world.nodes.positions.size());
   evaluate_body(world, separation_input(world), body, false);
 }
 
 void evaluate_separation(WorldState& world, bool averaged) {
   const SeparationInput input = separation_input(world);
-  world.scratch.stars.resize(world.nodes.positions.size());
+  world.scratch.node_load_sums.resize(world.nodes.positions.size());
   parallel_for(static_cast<int>(world.bodies.size()), 16, [&](int first, int last) {
     for (const Body& body : std::span(world.bodies).subspan(first, last - first))
-      if (body.sways()) evaluate_body(world, input, body, averaged);
+      if (body.is_deformable()) evaluate_body(world, input, body, averaged);
   });
   for (const Body& body : world.bodies) {
-    if (body.rigid || body.shock) continue;
+    if (body.rigid || body.explicit_state) continue;
     world.report.peak_utilization = std::max(world.report.peak_utilization, peak_utilization(world, body));
   }
 }

@@ -116,7 +116,7 @@ void follow_subdivision(WorldState& world, const Subdivision& subdivision) {
   for (const EdgeNode& node : subdivision.nodes) world.nodes.append_between(node);
   std::set<NodeId> relumped;  // new ones weigh nothing yet
   for (const EdgeNode& node : subdivision.nodes) relumped.insert({node.node, node.a, node.b});
-  world.energy.hand_over += kinetic_energy_of(world, relumped);
+  world.energy.regime_change += kinetic_energy_of(world, relumped);
   for (const TetBisection& halves : subdivision.tets) append_element(world, halves);
   if (!world.edges.offsets.empty()) world.tet_edges.edit().of_tet.resize(world.mesh->tets.size());
   std::vector<RestElement>& rest_elements = world.elements.rest_elements.edit();
@@ -125,7 +125,7 @@ void follow_subdivision(WorldState& world, const Subdivision& subdivision) {
       rest_elements[tet] = rest_element(corners_of(world.mesh, tet, world.mesh->rest_positions));
   for (const EdgeNode& node : subdivision.nodes)
     for (NodeId changed : {node.node, node.a, node.b}) world.nodes.masses[changed] = node_mass(world, changed);
-  world.energy.hand_over -= kinetic_energy_of(world, relumped);
+  world.energy.regime_change -= kinetic_energy_of(world, relumped);
   follow_places(world, subdivision);
 }
 
@@ -147,9 +147,9 @@ void restore_angular_momentum(WorldState& world, const MotionsBefore& motions) {
     if (!before) continue;
     Body& body = world.bodies[id];
     body.nodes = nodes_of(world.mesh, body.tets);
-    world.energy.hand_over += kinetic_energy_of(world, body.nodes);
+    world.energy.regime_change += kinetic_energy_of(world, body.nodes);
     restore_angular_momentum(world, body, *before);
-    world.energy.hand_over -= kinetic_energy_of(world, body.nodes);
+    world.energy.regime_change -= kinetic_energy_of(world, body.nodes);
   }
 }
 

@@ -75,7 +75,7 @@ void append_elements(WorldState& world, TetId first) {
   for (const TetId tet : IdRange<TetId>(first.index(), world.mesh->tet_count())) {
     rest_elements[tet] = rest_element(corners_of(world.mesh, tet, world.mesh->rest_positions));
     int faces = 0;
-    for (int face = 0; face < 4; ++face) faces |= !world.mesh->neighbours[tet][face].valid() << face;
+    for (int face = 0; face < 4; ++face) faces |= !world.mesh->neighbors[tet][face].valid() << face;
     first_surface[tet] = static_cast<std::uint8_t>(faces);
   }
 }
@@ -153,7 +153,7 @@ std::vector<ConvexPart> first_collision_parts(const WorldState& world, const Bod
   return parts;
 }
 
-/// Centre of mass of all pieces together.
+/// Center of mass of all pieces together.
 Vec3 center_of_mass(std::span<const Body> pieces) {
   Vec3 moment = Vec3::Zero();
   double mass = 0;
@@ -222,7 +222,7 @@ void require_no_crowd(const WorldState& world) {
         throw InputError("#/bodies", "stand inside one another in more than a million pairs", "move them apart");
 }
 
-void add_scene_bodies(Model& model, WorldState& world, const GivenMeshes& given, const Monitor& monitor) {
+void add_scene_bodies(Model& model, WorldState& world, const InMemoryMeshes& given, const Monitor& monitor) {
   ShapeMeshes shapes(given);
   std::vector<Pieces> pieces;
   make_meshes(model.scene, shapes, monitor);
@@ -268,7 +268,7 @@ double edge_mass(const WorldState& world, EdgeId edge) {
   return mass;
 }
 
-WorldState build_world(const Scene& scene, const Monitor& monitor, const GivenMeshes& given) {
+WorldState build_world(const Scene& scene, const Monitor& monitor, const InMemoryMeshes& given) {
   check_probes(scene);
   for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i)
     check_elements(scene, i, scene.bodies[i].elements, scene.bodies[i].material);

@@ -56,7 +56,7 @@ std::string mesh_name(const Scene& scene, const Shape& shape) {
 }
 
 /// The mesh that was given for the shape, in metres; nothing where it has to be read or made.
-std::optional<TetSoup> given_soup(const GivenMeshes* given, const Shape& shape) {
+std::optional<TetSoup> in_memory_soup(const InMemoryMeshes* given, const Shape& shape) {
   const auto* file = std::get_if<MeshFileShape>(&shape);
   const auto* surface = std::get_if<SurfaceShape>(&shape);
   if (given == nullptr || (file == nullptr && surface == nullptr)) return {};
@@ -68,9 +68,9 @@ std::optional<TetSoup> given_soup(const GivenMeshes* given, const Shape& shape) 
   return soup;
 }
 
-ShapeMesh make_mesh(const Scene& scene, const Shape& shape, const GivenMeshes* given, const Monitor& monitor) {
+ShapeMesh make_mesh(const Scene& scene, const Shape& shape, const InMemoryMeshes* given, const Monitor& monitor) {
   ShapeMesh made;
-  std::optional<TetSoup> known = given_soup(given, shape);
+  std::optional<TetSoup> known = in_memory_soup(given, shape);
   made.soup = known ? std::move(*known) : make_soup(shape, scene.folder, &made.findings, monitor);
   if (std::holds_alternative<SurfaceShape>(shape)) made.filled_surface = std::make_shared<const TetSoup>(made.soup);
   if (monitor.is_cancelled()) throw Cancelled();

@@ -9,7 +9,7 @@
 #include "sim/core/monitor.h"
 #include "sim/mesh/tet_mesh.h"
 #include "sim/scene/scene.h"
-#include "sim/world/setup/given_meshes.h"
+#include "sim/world/setup/in_memory_meshes.h"
 
 namespace griffith {
 
@@ -22,7 +22,7 @@ struct ShapeMesh {
   std::vector<std::vector<TetId>> pieces;         ///< what holds together through faces
   std::vector<NodeId> slit_tips;                  ///< crack fronts that it has from the start
   std::vector<ConvexPart>
-      convex_parts;                   ///< of one piece, relative to its centre of mass [m]; empty if it is in several
+      convex_parts;                   ///< of one piece, relative to its center of mass [m]; empty if it is in several
   std::vector<std::string> findings;  ///< what the user should know of a file
 };
 
@@ -31,7 +31,7 @@ class ShapeMeshes {
  public:
   ShapeMeshes() = default;
   /// Knows meshes that need no file; they must live as long as this.
-  explicit ShapeMeshes(const GivenMeshes& given) : given_(&given) {}
+  explicit ShapeMeshes(const InMemoryMeshes& given) : given_(&given) {}
 
   /// The mesh of the body's shape; it stays where it is. Throws InputError, which names the body and the file, for one
   /// that cannot be simulated, Cancelled when the monitor says so.
@@ -42,7 +42,7 @@ class ShapeMeshes {
   struct Hash {
     std::size_t operator()(const Shape& shape) const;
   };
-  const GivenMeshes* given_ = nullptr;
+  const InMemoryMeshes* given_ = nullptr;
   std::unordered_map<Shape, ShapeMesh, Hash> made_;
 };
 

@@ -1,0 +1,80 @@
+#include "sim/explicit/explicit_bodies.h"
+#include "sim/explicit/stars.h"
+
+namespace griffith::explicit_dynamics {
+namespace {
+
+WideQuad wide_vector(const Vec3& v) { return WideQuad{v[0], v[1], v[2], 0}; }
+
+}  // namespace
+
+int ExplicitBodies::add_edge(const ExplicitEdgeStart& start) {
+  edges_.push_back({.inverse_mass = 1 / start.mass});
+  constrain_edge(edge_count() - 1, start.allowed);
+  edge_offsets_.push_back({wide_vector(start.offset)});
+  edge_velocities_.push_back({wide_vector(start.velocity)});
+  return edge_count() - 1;
+}
+
+int ExplicitBodies::copy_edge(int edge, double mass) {
+  return add_edge({edge_offset(edge), edge_velocity(edge), mass, edges_[edge].allowed});
+}
+
+void ExplicitBodies::constrain_edge(int edge, const Mat3& allowed) {
+  edges_[edge].allowed = allowed;
+  edges_[edge].is_free = allowed.isIdentity(0);
+}
+
+void ExplicitBodies::list_edge_stars() {
+  edge_forces_.resize(6 * static_cast<std::size_t>(kLanes) * quadratics_.size());
+  const auto each_entry = [&](auto use) {
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      if (quadratic_of_block_[b] < 0) continue;
+      for (int lane = 0; lane < kLanes; ++lane)
+        for (int i = 0; i < 6 && blocks_[b].volume[lane] > 0; ++i)
+          use(quadratics_[quadratic_of_block_[b]].edges[i][lane], 6 * (kLanes * quadratic_of_block_[b] + lane) + i);
+    }
+  };
+  list_stars(each_entry, edges_, edge_stars_);
+}
+
+int ExplicitBodies::edge_entry(int slot, int edge) const {
+  return 6 * (kLanes * quadratic_of_block_[slot / kLanes] + slot % kLanes) + edge;
+}
+
+void ExplicitBodies::part_edge(int edge, std::span<const int> copies, std::span<const std::vector<int>> stars) {
+  int at = edges_[edge].first;
+  for (std::size_t i = 0; i < stars.size(); ++i) {
+    const int owner = i == 0 ? edge : copies[i - 1];
+    edges_[owner].first = at;
+    edges_[owner].count = static_cast<int>(stars[i].size());
+    for (const int entry : stars[i]) {
+      edge_stars_[at++] = entry;
+      quadratics_[entry / 6 / kLanes].edges[entry % 6][entry / 6 % kLanes] = owner;
+    }
+  }
+}
+
+Vec3 ExplicitBodies::edge_acceleration(int index) const {
+  const ExplicitEdge& edge = edges_[index];
+  Vec3 force = Vec3::Zero();
+  for (int e = edge.first; e < edge.first + edge.count; ++e)
+    for (int i = 0; i < 3; ++i) force[i] += edge_forces_[edge_stars_[e]].value[i];
+  return edge.inverse_mass * (edge.allowed * force);
+}
+
+void ExplicitBodies::advance_edges(double kick, double drift) {
+  for (int i = 0; i < edge_count(); ++i) {
+    const ExplicitEdge& edge = edges_[i];
+    Quad sum = {};
+    for (int e = edge.first; e < edge.first + edge.count; ++e) sum += edge_forces_[edge_stars_[e]].value;
+    const WideQuad force = __builtin_convertvector(sum, WideQuad);
+    WideQuad push = kick * edge.inverse_mass * force;
+    if (!edge.is_free) push = wide_vector(edge.allowed * Vec3(push[0], push[1], push[2]));
+    push[3] = 0;
+    edge_velocities_[i].value += push;
+    edge_offsets_[i].value += drift * edge_velocities_[i].value;
+  }
+}
+
+}  // namespace griffith::explicit_dynamics

@@ -1,0 +1,206 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "sim/explicit/explicit_bodies.h"
+#include "sim/explicit/obstacle.h"
+#include "sim/geometry/point_grid.h"
+
+namespace griffith::explicit_dynamics {
+
+/// Face of the bodies' surface, opposite a corner of a tet.
+struct SurfaceSide {
+  int slot = 0, face = 0;
+};
+
+/// Contact properties of an explicit body.
+struct SurfaceLaw {
+  int family = 0;  ///< pieces of one family touch only where cracks separated them
+  double friction = 0.6;
+};
+
+/// Two sides of an opened crack, with coincident corners at rest.
+struct CrackSides {
+  int first_slot = 0, second_slot = 0;
+  std::array<int, 3> first_corners{}, second_corners{};
+};
+
+/// Nodes of both sides in the bodies.
+struct NodesOfSides {
+  std::array<int, 3> first{}, second{};
+};
+
+/// Contacts in the microsteps: obstacles with the surface of the bodies, explicit bodies with each other, and the
+/// sides of closing cracks. Impulses act on lumped masses where surfaces overlap and approach. The rebound follows from
+/// the elasticity of the bodies.
+class MicrostepContacts {
+ public:
+  /// Contact with an impulse, for reports.
+  struct RecordedImpact {
+    int node = 0;         ///< explicit node
+    int obstacle = -1;    ///< index of the obstacle, or -1: another explicit node
+    Vec3 place, normal;   ///< normal points from the bodies to the other
+    Vec3 impulse;         ///< impulse on the bodies [N·s]
+    double approach = 0;  ///< speed of approach [m/s]
+  };
+
+  /// `surfaces`: per explicit body; `element_size`: mean edge length, which scales the search for overlaps [m].
+  MicrostepContacts(const ExplicitBodies& bodies, std::span<const SurfaceSide> surface,
+                    std::span<const CrackSides> cracks, std::vector<Obstacle> obstacles,
+                    std::vector<SurfaceLaw> surfaces, double element_size);
+
+  /// Resolves contacts between the forces and the motion of a microstep of `dt`: finds overlaps, applies impulses, then
+  /// moves the obstacles. Impacts faster than `min_speed` are recorded.
+  void resolve(ExplicitBodies& bodies, double dt, double min_speed);
+  /// Moves obstacles without contacts to their present positions.
+  void catch_up();
+  /// Adds the faces that a crack opened to the surface.
+  void open(const ExplicitBodies& bodies, const CrackSides& sides);
+
+  std::span<Obstacle> obstacles() { return obstacles_; }
+  std::span<const RecordedImpact> recorded_impacts() const { return recorded_impacts_; }
+  /// Returns the work of search and impulses so far, in microseconds of a typical core, counted and not timed.
+  double work() const { return work_; }
+
+  /// Returns the energy dissipated by impulses in microsteps of `dt` [s] [J]. Each impulse counts at the mean velocity
+  /// of its microstep, which ends with the next forces, so the bodies must have these.
+  double lost(const ExplicitBodies& bodies, double dt);
+
+ private:
+  /// Face of the surface. Points deeper behind it than half its tet do not count as behind it [m].
+  struct Side : SurfaceSide {
+    double deepest = 0;
+  };
+  /// Point of a face, or a node, with its contact.
+  struct Touch {
+    std::array<int, 3> nodes{};
+    std::array<double, 3> weights{1, 0, 0};
+    int count = 3;        ///< number of nodes in use: three for a face, one for a single node
+    int obstacle = -1;    ///< index of the obstacle, or -1
+    int other_node = -1;  ///< node of another body, or -1
+    Vec3 place = Vec3::Zero(), normal = Vec3::UnitY();  ///< normal points from the bodies to the other
+    double depth = 0;
+  };
+  /// Touch, and the index of its candidate.
+  struct Found {
+    std::size_t candidate = 0;
+    Touch touch;
+  };
+  /// Pair without contact until all motion has covered this distance in total [m].
+  struct Watched {
+    double clear_until = 0;
+  };
+  struct WatchedSide : Watched {
+    Side side;
+  };
+  /// Sample of a convex part near a side.
+  struct SampleAndSide : Watched {
+    int part = 0, sample = 0;
+    Side side;
+  };
+  struct PartAndNode : Watched {
+    int part = 0, node = 0;
+  };
+  /// Side with its present bounding box.
+  struct BoxedSide {
+    Eigen::AlignedBox3d box;
+    Side side;
+  };
+  /// Surface with a grid of the boxes' centers.
+  struct BoxedSurface {
+    std::vector<BoxedSide> sides;
+    PointGrid grid;  ///< grid of `sides`
+    Vec3 largest;    ///< half of the largest box size along each axis [m]
+  };
+  /// Candidates of contact with an obstacle: sides for a sphere, nodes and samples for any other.
+  struct Candidates {
+    std::vector<WatchedSide> sides;
+    std::vector<PartAndNode> nodes;
+    std::vector<SampleAndSide> samples;  ///< samples by part and index
+
+    bool empty() const { return sides.empty() && nodes.empty() && samples.empty(); }
+  };
+  struct NodeAndSide : Watched {
+    int node = 0;
+    Side side;
+  };
+  struct WatchedCrack : Watched {
+    CrackSides sides;
+  };
+  /// Effect of impulses on a node in the last microstep.
+  struct Pushed {
+    int node = 0;
+    Vec3 change = Vec3::Zero();        ///< change of its velocity [m/s]
+    Vec3 displacement = Vec3::Zero();  ///< displacement of the node [m]
+  };
+
+  void add_side(const ExplicitBodies& bodies, const SurfaceSide& side);
+  const SurfaceLaw& surface_at(const ExplicitBodies& bodies, int node) const;
+  int family_of(const ExplicitBodies& bodies, const SurfaceSide& side) const;
+  bool is_clear(const Watched& watched) const { return travelled_ < watched.clear_until; }
+  void record_gap(Watched& watched, double gap) const;
+  void list_candidates(const ExplicitBodies& bodies, double displacement);
+  /// Returns an upper bound of the closing speed of any two nodes or obstacles [m/s].
+  double closing_speed(const ExplicitBodies& bodies) const;
+  BoxedSurface boxed_surface(const ExplicitBodies& bodies) const;
+  std::vector<BoxedSide> sides_near(const Obstacle& obstacle, const BoxedSurface& surface) const;
+  void list_near_obstacle(const ExplicitBodies& bodies, const Obstacle& obstacle, const BoxedSurface& surface,
+                          Candidates& candidates) const;
+  void list_near_part(const ExplicitBodies& bodies, const Obstacle& obstacle, int part,
+                      std::span<const BoxedSide> sides, std::span<const int> nodes, Candidates& candidates) const;
+  std::vector<BoxedSide> sides_near_others(const ExplicitBodies& bodies, std::span<const BoxedSide> surface) const;
+  void list_pairs(const ExplicitBodies& bodies, std::span<const BoxedSide> surface);
+  void find_touches(const ExplicitBodies& bodies);
+  std::size_t candidate_count() const;
+  void touch_sphere(const ExplicitBodies& bodies, int obstacle);
+  void touch_convex(const ExplicitBodies& bodies, int obstacle);
+  void touch_inside(const ExplicitBodies& bodies, int obstacle);
+  void drop_clamps(const ExplicitBodies& bodies, std::size_t first);
+  void touch_bodies(const ExplicitBodies& bodies);
+  template <class Candidate, class PlaceOf>
+  void find_behind(const ExplicitBodies& bodies, std::vector<Candidate>& candidates, PlaceOf place_of);
+  template <class Candidate, class PlaceOf>
+  void find_behind(const ExplicitBodies& bodies, std::span<Candidate> candidates, std::size_t first, PlaceOf place_of,
+                   std::vector<Found>& found) const;
+  void touch_nearest(const ExplicitBodies& bodies, std::span<const Found> found);
+  /// True if the first of two sides rather touches a point behind both: the one behind which it is less deep. If depths
+  /// are equal, as at an edge, the one that it passes through.
+  bool is_nearer(const ExplicitBodies& bodies, const Touch& touch, const Touch& other) const;
+  Vec3 approach_of(const ExplicitBodies& bodies, const Touch& touch) const;
+  double mobility_of(const ExplicitBodies& bodies, const Touch& touch, const Vec3& direction) const;
+  double friction_of(const ExplicitBodies& bodies, const Touch& touch) const;
+  /// Applies an impulse to the bodies, and its opposite to the other [N·s].
+  void act(ExplicitBodies& bodies, const Touch& touch, const Vec3& impulse);
+  /// Reverts the part of the last motion that `impulse` would have prevented, for `time` [s] of it.
+  void take_back(ExplicitBodies& bodies, const Touch& touch, const Vec3& impulse, double time);
+  bool push(ExplicitBodies& bodies, Touch& touch, double dt, double min_speed);
+  void close_cracks(ExplicitBodies& bodies);
+  void push_apart(ExplicitBodies& bodies, const NodesOfSides& sides, const Vec3& normal, const Vec3& weights);
+  Pushed& pushed(const ExplicitBodies& bodies, int node);
+  void push_node(ExplicitBodies& bodies, int node, const Vec3& impulse);
+  void shift_node(ExplicitBodies& bodies, int node, const Vec3& displacement);
+  void record_pushed(const ExplicitBodies& bodies);
+  void settle_pushed(const ExplicitBodies& bodies, double dt);
+
+  std::vector<Side> surface_;
+  std::vector<WatchedCrack> cracks_;
+  std::vector<Obstacle> obstacles_;
+  std::vector<SurfaceLaw> surfaces_;    ///< per explicit body
+  std::vector<Candidates> candidates_;  ///< per obstacle
+  std::vector<NodeAndSide> pairs_;      ///< nodes near sides of other bodies, by node
+  std::vector<Touch> touches_;
+  std::vector<Found> found_;
+  std::vector<int> order_;  ///< order of touches, the deepest first
+  std::vector<RecordedImpact> recorded_impacts_;
+  std::vector<Pushed> pushed_;
+  std::vector<int> pushed_at_;  ///< per node: index into pushed_, or -1
+  double lost_ = 0, work_ = 0;
+  double element_size_, margin_ = 0;
+  double travelled_ = 0;      ///< bound on the total approach of any two objects [m]
+  double listed_until_ = -1;  ///< distance up to which the candidates are complete [m]
+};
+
+}  // namespace griffith::explicit_dynamics

@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <cmath>
+
+#include "sim/explicit/microstep_contacts.h"
+
+namespace griffith::explicit_dynamics {
+namespace {
+
+/// Slower approaches are rounding errors [m/s].
+constexpr double kNegligibleSpeed = 1e-9;
+
+Vec3 force_on(const ExplicitBodies& bodies, int node) {
+  return bodies.acceleration(node) / bodies.node(node).inverse_mass;
+}
+
+}  // namespace
+
+Vec3 MicrostepContacts::approach_of(const ExplicitBodies& bodies, const Touch& touch) const {
+  Vec3 velocity =
+      touch.obstacle >= 0 ? obstacles_[touch.obstacle].velocity_at(touch.place) : bodies.velocity(touch.other_node);
+  for (int i = 0; i < touch.count; ++i) velocity -= touch.weights[i] * bodies.velocity(touch.nodes[i]);
+  return velocity;
+}
+
+double MicrostepContacts::mobility_of(const ExplicitBodies& bodies, const Touch& touch, const Vec3& direction) const {
+  double sum = touch.obstacle >= 0 ? obstacles_[touch.obstacle].mobility(touch.place, direction)
+                                   : bodies.mobility(touch.other_node, direction);
+  for (int i = 0; i < touch.count; ++i)
+    sum += touch.weights[i] * touch.weights[i] * bodies.mobility(touch.nodes[i], direction);
+  return sum;
+}
+
+double MicrostepContacts::friction_of(const ExplicitBodies& bodies, const Touch& touch) const {
+  const double own = surface_at(bodies, touch.nodes[0]).friction;
+  const double other =
+      touch.obstacle >= 0 ? obstacles_[touch.obstacle].friction : surface_at(bodies, touch.other_node).friction;
+  return std::sqrt(own * other);
+}
+
+void MicrostepContacts::act(ExplicitBodies& bodies, const Touch& touch, const Vec3& impulse) {
+  for (int i = 0; i < touch.count; ++i) push_node(bodies, touch.nodes[i], touch.weights[i] * impulse);
+  touch.obstacle >= 0 ? obstacles_[touch.obstacle].push(touch.place, -impulse)
+                      : push_node(bodies, touch.other_node, -impulse);
+}
+
+void MicrostepContacts::take_back(ExplicitBodies& bodies, const Touch& touch, const Vec3& impulse, double time) {
+  const auto shift = [&](int node, const Vec3& fraction) {
+    const double size = fraction.norm();
+    if (size > 0) shift_node(bodies, node, time * bodies.mobility(node, fraction / size) * fraction);
+  };
+  for (int i = 0; i < touch.count; ++i) shift(touch.nodes[i], touch.weights[i] * impulse);
+  touch.obstacle >= 0 ? obstacles_[touch.obstacle].shift(touch.place, -impulse, time)
+                      : shift(touch.other_node, -impulse);
+}
+
+/// Stops the approach and reverts the overlap, as far as the last motion at that speed caused it. Otherwise forces that
+/// press two surfaces together would let them creep into each other step by step, and waves lose their energy.
+bool MicrostepContacts::push(ExplicitBodies& bodies, Touch& touch, double dt, double min_speed) {
+  const Vec3 velocity = approach_of(bodies, touch);
+  const double speed = -velocity.dot(touch.normal);
+  if (speed <= kNegligibleSpeed) return false;
+  const double mobility = mobility_of(bodies, touch, touch.normal);
+  if (mobility == 0) return false;
+  Vec3 impulse = -speed / mobility * touch.normal;  // impulse on the bodies
+  const Vec3 sliding = velocity + speed * touch.normal;
+  const double slip = sliding.norm();
+  if (slip > 0) {
+    const double stopping = slip / mobility_of(bodies, touch, sliding / slip);
+    impulse += std::min(friction_of(bodies, touch) * speed / mobility, stopping) / slip * sliding;
+  }
+  act(bodies, touch, impulse);
+  Vec3 after = approach_of(bodies, touch);
+  // Friction and the lever arms of light objects may turn an impulse into a gain of energy. It is then reduced to the
+  // size of the largest loss.
+  if (impulse.dot(velocity + after) < 0) {
+    const double fraction = impulse.dot(velocity) / impulse.dot(velocity - after);
+    act(bodies, touch, (fraction - 1) * impulse);
+    impulse *= fraction;
+    after = velocity + fraction * (after - velocity);
+  }
+  lost_ += 0.5 * impulse.dot(velocity + after);
+  const double time = std::min(dt, touch.depth / speed);
+  take_back(bodies, touch, impulse, time);
+  touch.depth -= time * speed;
+  if (speed > min_speed)
+    recorded_impacts_.push_back({touch.nodes[0], touch.obstacle, touch.place, touch.normal, impulse, speed});
+  return true;
+}
+
+MicrostepContacts::Pushed& MicrostepContacts::pushed(const ExplicitBodies& bodies, int node) {
+  if (pushed_at_.size() < static_cast<std::size_t>(bodies.node_count())) pushed_at_.resize(bodies.node_count(), -1);
+  if (pushed_at_[node] < 0) {
+    pushed_at_[node] = static_cast<int>(pushed_.size());
+    pushed_.push_back({node});
+  }
+  return pushed_[pushed_at_[node]];
+}
+
+void MicrostepContacts::push_node(ExplicitBodies& bodies, int node, const Vec3& impulse) {
+  const Vec3 before = bodies.velocity(node);
+  bodies.push(node, impulse);
+  pushed(bodies, node).change += bodies.velocity(node) - before;
+}
+
+void MicrostepContacts::shift_node(ExplicitBodies& bodies, int node, const Vec3& displacement) {
+  bodies.shift(node, displacement);
+  pushed(bodies, node).displacement += displacement;
+}
+
+/// The forces of a microstep do work at the mean of the velocities before and after them. Their work over the actual
+/// motion of a node is that, less their work over the difference between velocity and motion: half of the velocity
+/// changes by impulses after the last motion, and half of the reverted part of the next.
+void MicrostepContacts::record_pushed(const ExplicitBodies& bodies) {
+  for (const Pushed& pushed : pushed_)
+    if (!pushed.displacement.isZero(0)) lost_ += 0.5 * force_on(bodies, pushed.node).dot(pushed.displacement);
+}
+
+void MicrostepContacts::settle_pushed(const ExplicitBodies& bodies, double dt) {
+  for (const Pushed& pushed : pushed_) {
+    const Vec3 beside = dt * pushed.change - pushed.displacement;
+    if (!beside.isZero(0)) lost_ -= 0.5 * force_on(bodies, pushed.node).dot(beside);
+    pushed_at_[pushed.node] = -1;
+  }
+  pushed_.clear();
+}
+
+double MicrostepContacts::lost(const ExplicitBodies& bodies, double dt) {
+  settle_pushed(bodies, dt);
+  return lost_;
+}
+
+}  // namespace griffith::explicit_dynamics

@@ -1,0 +1,105 @@
+#include <algorithm>
+#include <cmath>
+
+#include "sim/world/conditions/supports.h"
+#include "sim/world/explicit/explicit_run.h"
+#include "sim/world/world_state.h"
+
+/// Loads and supports that change while microsteps go on.
+namespace griffith {
+
+/// The acceleration of free nodes as a whole by forces per node of the mesh [N], which strains nothing [m/s²]; zero
+/// where some are held.
+Vec3 ExplicitRun::common_acceleration(const std::vector<NodeId>& nodes, const std::vector<Vec3>& forces) const {
+  if (!std::ranges::all_of(nodes, [&](NodeId node) { return world_.nodes.constraints[node].is_free(); }))
+    return Vec3::Zero();
+  Vec3 force = Vec3::Zero();
+  double mass = 0;
+  for (const NodeId node : nodes) force += forces[node], mass += world_.nodes.masses[node];
+  return force / mass;
+}
+
+/// Gravity and the loads that will not change any more, per node of the mesh [N].
+std::vector<Vec3> ExplicitRun::steady_forces() const {
+  std::vector<Vec3> forces(world_.nodes.positions.size());
+  for (std::size_t i = 0; i < forces.size(); ++i) forces[i] = world_.nodes.masses[i] * world_.model->scene.gravity;
+  for (const PlacedLoad& placed : world_.loads)
+    if (const double factor = load_factor(placed.load, time_); factor != 0 && !changes_after(placed.load, time_))
+      add_load(world_, placed, factor, forces);
+  return forces;
+}
+
+/// Notes what the loads that have changes ahead do to the nodes.
+void ExplicitRun::add_changing_loads() {
+  changing_loads_.clear();
+  work_of_changing_loads_ = {};
+  for (const PlacedLoad& placed : world_.loads) {
+    if (!changes_after(placed.load, time_)) continue;
+    std::vector<Vec3> forces(world_.nodes.positions.size(), Vec3::Zero());
+    add_load(world_, placed, 1, forces);
+    ChangingLoad& changing = changing_loads_.emplace_back(ChangingLoad{placed.load, 0, {}});
+    for (const BodyId id : bodies_) {
+      const Body& body = world_.bodies[id];
+      const double f = body.explicit_state->similarity;
+      const std::vector<NodeId> nodes = nodes_of(world_.mesh, body.tets);
+      const Vec3 common = common_acceleration(nodes, forces);
+      for (const NodeId node : nodes) {
+        const Vec3 whole = forces[node] / world_.nodes.masses[node], acting = common + f * (whole - common);
+        if (whole.isZero(0) && acting.isZero(0)) continue;
+        changing.nodes.push_back({local(node), {whole, acting}, explicit_bodies_.position(local(node))});
+      }
+    }
+  }
+}
+
+/// Lets a part of a node that a crack parted take its loads along.
+void ExplicitRun::copy_loads(int node, int copy) {
+  for (ChangingLoad& changing : changing_loads_) {
+    const auto loaded = std::ranges::find(changing.nodes, node, &Loaded::node);
+    if (loaded == changing.nodes.end()) continue;
+    const Loaded copied{copy, loaded->full, loaded->position};
+    changing.nodes.push_back(copied);
+  }
+}
+
+/// Lets loads act as they do on average over a span, that of the next kick, `drifted` [s] after the last kick.
+void ExplicitRun::apply_loads(const TimeSpan& span, double drifted) {
+  for (ChangingLoad& changing : changing_loads_) {
+    const double factor = load_factor(changing.load, span);
+    if (factor == changing.factor) continue;
+    account_loads(changing, factor, drifted);
+    for (const Loaded& loaded : changing.nodes)
+      explicit_bodies_.accelerate(loaded.node, (factor - changing.factor) * loaded.full.acting);
+    changing.factor = factor;
+  }
+}
+
+/// Books the work of a load since the part that acts changed last. A kick's force works over half of the way before it
+/// and half of the way after it, as all forces of microsteps do (end_account()).
+void ExplicitRun::account_loads(ChangingLoad& changing, double next_factor, double drifted) {
+  for (Loaded& loaded : changing.nodes) {
+    const Vec3 position = explicit_bodies_.position(loaded.node);
+    const Vec3 displacement = changing.factor * (position - loaded.position) +
+                              0.5 * (next_factor - changing.factor) * drifted * explicit_bodies_.velocity(loaded.node);
+    const double mass = 1 / explicit_bodies_.node(loaded.node).inverse_mass;
+    work_of_changing_loads_.loads += mass * loaded.full.whole.dot(displacement);
+    work_of_changing_loads_.scaling += mass * (loaded.full.whole - loaded.full.acting).dot(displacement);
+    loaded.position = position;
+  }
+}
+
+/// True if one stops in the next microstep or did in the last.
+bool ExplicitRun::a_support_stops() const {
+  return std::ranges::any_of(world_.supports, [&](const PlacedSupport& placed) {
+    return placed.support.stop && std::abs(*placed.support.stop - time_) < 1.5 * dt_;
+  });
+}
+
+/// Sets how supports move in the next microstep.
+void ExplicitRun::move_supports() {
+  update_supports(world_, time_, dt_);
+  for (const explicit_dynamics::ExplicitConstraint& held : explicit_bodies_.constraints())
+    explicit_bodies_.constrain(held.node, world_.nodes.constraints[nodes_[held.node]]);
+}
+
+}  // namespace griffith

@@ -1,0 +1,181 @@
+#include "sim/world/explicit/explicit_obstacles.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <limits>
+
+#include "sim/world/bodies/bodies.h"
+#include "sim/world/phases/elastic_phase.h"
+#include "sim/world/phases/motion_phase.h"
+
+namespace griffith {
+namespace {
+
+Eigen::AlignedBox3d reach_of(const WorldState& world, const Body& body, double duration) {
+  Eigen::AlignedBox3d box;
+  for (const NodeId node : body.nodes) {
+    box.extend(world.nodes.positions[node]);
+    box.extend(world.nodes.positions[node] + duration * world.nodes.velocities[node]);
+  }
+  return box;
+}
+
+std::vector<explicit_dynamics::ConvexSolid> solids_of(const std::vector<ConvexPart>& parts, double spacing) {
+  std::vector<explicit_dynamics::ConvexSolid> solids;
+  for (const ConvexPart& part : parts) solids.push_back(explicit_dynamics::convex_solid(convex_hull(part), spacing));
+  return solids;
+}
+
+/// What surrounds the bodies in explicit dynamics, and how fine their surface is.
+struct Surroundings {
+  std::vector<Eigen::AlignedBox3d> boxes;
+  double element_size = std::numeric_limits<double>::infinity();
+
+  std::vector<std::uint8_t> own;  ///< per scene body: 1 where pieces of it are in explicit dynamics
+
+  bool may_meet(const Vec3& center, double reach) const {
+    return std::ranges::any_of(boxes, [&](const auto& box) { return box.exteriorDistance(center) <= reach; });
+  }
+};
+
+double radius_of(const Body& body) {
+  double radius = 0;
+  for (const ConvexPart& part : body.collision_parts)
+    for (const Vec3& corner : part) radius = std::max(radius, corner.norm());
+  return radius;
+}
+
+void add_projectiles(const WorldState& world, const Surroundings& near, double duration,
+                     std::vector<explicit_dynamics::Obstacle>& obstacles) {
+  for (const Projectile& projectile : world.projectiles) {
+    const RigidState state = world.contact_world.state(projectile.object);
+    if (near.may_meet(state.pose.translation, projectile.radius + duration * state.velocity.norm()))
+      obstacles.push_back(obstacle_of(world, projectile, near.element_size));
+  }
+}
+
+void add_bodies(const WorldState& world, const Surroundings& near, double duration,
+                std::vector<explicit_dynamics::Obstacle>& obstacles) {
+  for (const Body& body : world.bodies) {
+    if (body.explicit_state || near.own[body.scene_body])
+      continue;  // pieces of one body touch as rigid ones afterwards
+    const double radius = radius_of(body),
+                 speed = body.motion.velocity.norm() + radius * body.motion.angular_velocity.norm();
+    if (near.may_meet(body.motion.center, radius + duration * speed))
+      obstacles.push_back(obstacle_of(world, body, near.element_size));
+  }
+}
+
+/// A body that sways is moved and turned as a whole to where the microsteps have brought its proxy.
+void carry_nodes(WorldState& world, Body& body, const RigidState& state) {
+  const Mat3 turn = (state.pose.rotation * body.orientation.conjugate()).toRotationMatrix();
+  const RigidMotion before = body.motion;
+  const Vec3 velocity = state.velocity - before.velocity, spin = state.angular_velocity - before.angular_velocity;
+  for (const NodeId node : body.nodes) {
+    const Vec3 arm = world.nodes.positions[node] - before.center;
+    world.nodes.velocities[node] += velocity + spin.cross(arm);
+    world.nodes.positions[node] = state.pose.translation + turn * arm;
+    world.nodes.velocities[node] = turn * (world.nodes.velocities[node] - state.velocity) + state.velocity;
+  }
+  for (const EdgeId edge : body.edges) {
+    Vec3 &offset = world.edges.offsets[edge], &bending = world.edges.velocities[edge];
+    bending = turn * (bending + spin.cross(offset));
+    offset = (turn * offset).eval();
+  }
+  update_elements(world, body);
+  update_motion(world, body);
+}
+
+}  // namespace
+
+std::vector<explicit_dynamics::Obstacle> reachable_obstacles(const WorldState& world, double duration) {
+  Surroundings near;
+  near.own.resize(world.model->scene.bodies.size(), 0);
+  for (const Body& body : world.bodies) {
+    if (!body.explicit_state) continue;
+    near.own[body.scene_body] = 1;
+    near.boxes.push_back(reach_of(world, body, duration));
+    near.element_size = std::min(near.element_size, body.element_size);
+  }
+  if (near.boxes.empty()) return {};
+  std::vector<explicit_dynamics::Obstacle> obstacles;
+  add_ground(world, obstacles);
+  add_projectiles(world, near, duration, obstacles);
+  add_bodies(world, near, duration, obstacles);
+  return obstacles;
+}
+
+void add_ground(const WorldState& world, std::vector<explicit_dynamics::Obstacle>& obstacles) {
+  if (!world.model->scene.ground) return;
+  explicit_dynamics::Obstacle ground;
+  ground.radius = std::numeric_limits<double>::infinity();
+  ground.solids = {{{{Vec3::UnitY(), world.model->scene.ground->height}}, {}}};
+  ground.friction = world.model->scene.ground->friction;
+  obstacles.push_back(ground);
+}
+
+explicit_dynamics::Obstacle obstacle_of(const WorldState& world, const Projectile& projectile, double spacing) {
+  explicit_dynamics::Obstacle obstacle;
+  obstacle.object = projectile.object;
+  obstacle.state = world.contact_world.state(projectile.object);
+  obstacle.radius = projectile.radius;
+  if (projectile.hull) obstacle.solids = {explicit_dynamics::convex_solid(*projectile.hull, spacing)};
+  obstacle.inverse_mass = 1 / projectile.mass;
+  obstacle.inverse_inertia = projectile.inertia.inverse();
+  obstacle.friction = projectile.surface.friction;
+  return obstacle;
+}
+
+explicit_dynamics::Obstacle obstacle_of(const WorldState& world, const Body& body, double spacing) {
+  explicit_dynamics::Obstacle obstacle;
+  obstacle.object = body.proxy;
+  obstacle.radius = radius_of(body);
+  obstacle.state = {{body.motion.center, body.orientation}, body.motion.velocity, body.motion.angular_velocity};
+  obstacle.solids = solids_of(body.collision_parts, spacing);
+  if (!body.supported()) {
+    obstacle.inverse_mass = 1 / body.motion.mass;
+    const Mat3 back = body.orientation.conjugate().toRotationMatrix();
+    obstacle.inverse_inertia = back * body.motion.inertia.inverse() * back.transpose();
+  } else {
+    obstacle.state.velocity = obstacle.state.angular_velocity = Vec3::Zero();
+  }
+  obstacle.friction = world.material_of(body).friction;
+  return obstacle;
+}
+
+void read_back_velocities(const WorldState& world, std::vector<explicit_dynamics::Obstacle>& obstacles) {
+  for (explicit_dynamics::Obstacle& obstacle : obstacles) {
+    if (!obstacle.object.valid() || obstacle.inverse_mass == 0) continue;
+    const BodyId id = world.body_of(obstacle.object);
+    if (!id.valid()) {
+      const RigidState state = world.contact_world.state(obstacle.object);
+      obstacle.state.velocity = state.velocity;
+      obstacle.state.angular_velocity = state.angular_velocity;
+    } else {
+      obstacle.state.velocity = world.bodies[id].motion.velocity;
+      obstacle.state.angular_velocity = world.bodies[id].motion.angular_velocity;
+    }
+  }
+}
+
+void place_body(WorldState& world, Body& body, const RigidState& state) {
+  if (!body.rigid) return carry_nodes(world, body, state);
+  const Mat3 turn = (state.pose.rotation * body.orientation.conjugate()).toRotationMatrix();
+  body.motion.center = state.pose.translation;
+  body.motion.inertia = turn * body.motion.inertia * turn.transpose();
+  body.motion.velocity = state.velocity;
+  body.motion.angular_velocity = state.angular_velocity;
+  body.orientation = state.pose.rotation;
+  place_rigid_nodes(world, body);
+}
+
+void place_obstacle(WorldState& world, const explicit_dynamics::Obstacle& obstacle) {
+  const RigidState& state = obstacle.state;
+  if (!obstacle.object.valid() || obstacle.inverse_mass == 0) return;
+  if (!state.pose.translation.allFinite() || !state.velocity.allFinite() || !state.angular_velocity.allFinite()) return;
+  world.contact_world.set_state(obstacle.object, state);
+  if (const BodyId id = world.body_of(obstacle.object); id.valid()) place_body(world, world.bodies[id], state);
+}
+
+}  // namespace griffith

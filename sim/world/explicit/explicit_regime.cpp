@@ -1,0 +1,178 @@
+#include "sim/world/explicit/explicit_regime.h"
+
+#include <algorithm>
+
+#include "sim/world/bodies/bodies.h"
+#include "sim/world/conditions/quick_changes.h"
+#include "sim/world/energy/energy_phase.h"
+#include "sim/world/explicit/explicit_obstacles.h"
+#include "sim/world/explicit/explicit_run.h"
+#include "sim/world/explicit/similarity.h"
+#include "sim/world/explicit/struck_bodies.h"
+#include "sim/world/phases/cracking.h"
+#include "sim/world/phases/elastic_phase.h"
+#include "sim/world/phases/expected_impacts.h"
+#include "sim/world/phases/motion_phase.h"
+#include "sim/world/phases/separation_phase.h"
+#include "sim/world/world_state.h"
+
+namespace griffith {
+
+void stop_vibration(WorldState& world, Body& body) {
+  const double before = energy_of(world, body);
+  clear_stress(world, body);
+  make_rigid(world, body);
+  world.energy.regime_change += before - energy_of(world, body);
+}
+
+bool any_explicit(const WorldState& world) {
+  return std::ranges::any_of(world.bodies, [](const Body& body) { return body.explicit_state.has_value(); });
+}
+
+void begin_explicit(WorldState& world, Body& body, double impact_speed) {
+  if (body.explicit_state || body.tets.size() == 1) return;
+  if (body.rigid) place_rigid_nodes(world, body);
+  if (body.rigid || body.asleep) make_elastic(world, body);
+  world.elements.allow_strains();
+  for (const NodeId node : body.nodes) world.nodes.overloads[node].last = OverloadHistory::kNever;
+  if (impact_speed > 0) ++world.report.impacts;
+  body.explicit_state = ExplicitState{world.time, impact_speed, highest_frequency(world, body)};
+}
+
+namespace {
+
+/// Quick changes of what acts on bodies for microsteps within `duration` [s].
+std::vector<QuickChange> changes_for_microsteps(const WorldState& world, double duration) {
+  constexpr double kRounding = 1e-9;
+  const double now = world.time, past = kRounding * world.model->scene.simulation.time_step;
+  std::vector<QuickChange> changes = quick_changes(world, {now - past, now + duration});
+  std::erase_if(changes, [&](const QuickChange& change) {
+    const Body& body = world.bodies[change.body];
+    return !body.explicit_state && !suits_microsteps(world, body, 0);
+  });
+  return changes;
+}
+
+double time_before_change(const WorldState& world, double maximum) {
+  double time = maximum;
+  for (const QuickChange& change : changes_for_microsteps(world, maximum))
+    time = std::min(time, std::max(0.0, change.time.from - world.time));
+  return time;
+}
+
+/// Lets the bodies enter in which loads and supports make waves within `duration` [s], which they follow from then on.
+void begin_explicit_if_driven(WorldState& world, double duration) {
+  for (const QuickChange& change : changes_for_microsteps(world, duration)) {
+    Body& body = world.bodies[change.body];
+    begin_explicit(world, body, 0);
+    if (body.explicit_state)
+      body.explicit_state->last_event =
+          std::max(body.explicit_state->last_event, std::min(change.time.to, world.time + duration));
+  }
+}
+
+/// A piece that waves have crossed without harm moves as a whole from now on, until something strikes it: what still
+/// vibrates in it is damped at once.
+void make_rigid_if_unharmed(WorldState& world, Body& body) {
+  constexpr double kUnharmed = 0.25;  // of the resistance: what contacts must exceed to make it elastic again
+  if (sags_visibly(world, body)) return;
+  evaluate_separation(world, body);
+  const auto is_unharmed = [&](NodeId node) { return world.nodes.separations[node].utilization < kUnharmed; };
+  if (std::ranges::all_of(body.nodes, is_unharmed)) stop_vibration(world, body);
+}
+
+/// The time until the first of these, `maximum` where there are none [s].
+double time_before(const std::vector<Impact>& impacts, double maximum) {
+  double time = maximum;
+  for (const Impact& impact : impacts) time = std::min(time, impact.met.time);
+  return time;
+}
+
+/// Lets the bodies enter that deform in impacts within `duration` [s].
+void begin_explicit_if_struck(WorldState& world, const std::vector<Impact>& impacts, double duration) {
+  for (const Impact& impact : impacts) {
+    if (impact.met.time > duration) continue;
+    if (have_just_parted(world, impact.bodies[0], impact.bodies[1])) continue;  // one of the two has entered by now
+    for (int i = 0; i < 2; ++i)
+      if (impact.deforms[i]) begin_explicit(world, world.bodies[impact.bodies[i]], impact.met.approach);
+  }
+}
+
+/// Leaves the rest of the step to the implicit one.
+void cancel_explicit(WorldState& world) {
+  for (Body& body : world.bodies) {
+    if (!body.explicit_state) continue;
+    end_explicit(world, body);
+    ++world.report.unfinished_shocks;
+    if (!body.supported()) stop_vibration(world, body);
+  }
+}
+
+}  // namespace
+
+double next_substep(WorldState& world, double left, StepImpacts& impacts) {
+  std::vector<Impact> shared;
+  if (!any_explicit(world)) {
+    world.explicit_overhead = 1;
+    shared = impacts.find(world, left);
+    const double undisturbed = std::min(time_before(shared, left), time_before_change(world, left));
+    if (undisturbed > impact_tolerance(world) || undisturbed == left) return undisturbed;
+  }
+  if (is_spent(world)) {
+    cancel_explicit(world);
+    return left;
+  }
+  const double substep = planned_substep(world, left);
+  if (any_explicit(world)) shared = impacts.find(world, substep);
+  begin_explicit_if_struck(world, shared, substep);
+  begin_explicit_if_driven(world, substep);
+  if (!any_explicit(world)) return left;
+  for (Body& body : world.bodies)
+    if (body.explicit_state) limit_frequency(world, body);
+  choose_similarity(world, left);
+  return planned_substep(world, left);
+}
+
+void begin_explicit_if_overloaded(WorldState& world) {
+  if (!world.model->scene.simulation.fracture || is_spent(world)) return;
+  for (Body& body : world.bodies) {
+    const auto is_overloaded = [&](NodeId node) {
+      return world.nodes.separations[node].utilization > 1 && may_crack(world, node);
+    };
+    if (body.is_deformable() && std::ranges::any_of(body.nodes, is_overloaded) && suits_microsteps(world, body, 0))
+      begin_explicit(world, body, 0);
+  }
+}
+
+void end_explicit(WorldState& world, Body& body) {
+  end_similarity(world, body);
+  body.explicit_state.reset();
+  body.explicit_ended = world.time;
+  world.contact_world.set_impact_speed(body.proxy, harmful_impact_speed(world, body));  // cracks may have begun in it
+}
+
+bool run_explicit(WorldState& world, std::vector<explicit_dynamics::Obstacle> obstacles, double duration,
+                  double max_work) {
+  read_back_velocities(world, obstacles);
+  const ObstacleAccount account(world, obstacles);
+  ExplicitRun run(world, std::move(obstacles));
+  if (!run.run(duration, max_work)) return false;
+  for (const explicit_dynamics::Obstacle& obstacle : run.obstacles()) place_obstacle(world, obstacle);
+  account.record(world, run.obstacles());
+  run.finish(duration);
+  return true;
+}
+
+void end_explicit_if_quiet(WorldState& world) {
+  constexpr double kRounding = 1e-9;
+  const std::vector<bool> strained = strained_bodies(world, world.time);
+  for (Body& body : world.bodies) {
+    if (!body.explicit_state) continue;
+    const double window = explicit_window(world, body);
+    if (world.time - body.explicit_state->last_event < (1 - kRounding) * window) continue;
+    end_explicit(world, body);
+    if (!body.supported() && !strained[body.id]) make_rigid_if_unharmed(world, body);
+  }
+}
+
+}  // namespace griffith

@@ -1,0 +1,216 @@
+#include "sim/explicit/microstep_contacts.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "sim/elasticity/material.h"
+
+namespace griffith::explicit_dynamics {
+namespace {
+
+using Corners4 = std::array<Vec3, 4>;
+
+/// Face 3 of the first lies on face 3 of the second: corners 0, 1, 2 of one are 0, 2, 1 of the other.
+const Corners4 kLower = {Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(1, 0, 0), Vec3(0.2, 0.3, -1)};
+const Corners4 kUpper = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0.2, 0.3, 1)};
+
+/// Single tets, each a body of its own family, in one solid.
+struct Tets {
+  ExplicitBodies bodies;
+  std::vector<SurfaceSide> surface;
+  std::vector<SurfaceLaw> laws;
+
+  int add(const Corners4& places, const Vec3& velocity) {
+    const Material material;
+    Corners corners;
+    for (int i = 0; i < 4; ++i) corners.col(i) = places[i];
+    const RestElement rest = rest_element(corners);
+    std::array<int, 4> nodes{};
+    for (int i = 0; i < 4; ++i)
+      nodes[i] = bodies.add_node({places[i], Vec3::Zero(), velocity, Vec3::Zero(), material.density * rest.volume / 4});
+    const std::vector<std::array<int, 4>> tets = {nodes};
+    const std::vector<RestElement> rest_elements = {rest};
+    const std::vector<Mat3> offsets = {Mat3::Zero()};
+    bodies.add_body(elastic_law(material), material.density, tets, rest_elements, offsets);
+    const int slot = bodies.slot(bodies.body_count() - 1, 0);
+    for (int face = 0; face < 4; ++face) surface.push_back({slot, face});
+    laws.push_back({bodies.body_count() - 1, 0.3});
+    return slot;
+  }
+  Vec3 momentum() const {
+    Vec3 sum = Vec3::Zero();
+    for (int i = 0; i < bodies.node_count(); ++i) sum += bodies.velocity(i) / bodies.node(i).inverse_mass;
+    return sum;
+  }
+  double kinetic_energy() const {
+    double sum = 0;
+    for (int i = 0; i < bodies.node_count(); ++i)
+      sum += 0.5 * bodies.velocity(i).squaredNorm() / bodies.node(i).inverse_mass;
+    return sum;
+  }
+};
+
+/// Two tets in contact, their placement, the gap between them, and their motion.
+struct Pair {
+  Corners4 lower, upper;
+  Vec3 lower_velocity, upper_velocity;
+};
+
+std::vector<Pair> random_pairs(int count) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> number(-1, 1);
+  const auto vector = [&] { return Vec3(number(random), number(random), number(random)); };
+  std::vector<Pair> pairs(count);
+  for (int i = 0; i < count; ++i) {
+    Pair& pair = pairs[i];
+    const Eigen::AngleAxisd turn(3 * number(random), vector().normalized());
+    const Vec3 shift = 10 * i * Vec3::UnitX() + vector();
+    const Vec3 gap = 1e-3 * number(random) * Vec3::UnitZ() + 0.8 * (i % 3 == 2) * Vec3::UnitX();
+    for (int corner = 0; corner < 4; ++corner) {
+      pair.lower[corner] = turn * kLower[corner] + shift;
+      pair.upper[corner] = turn * (kUpper[corner] + gap) + shift;
+    }
+    pair.lower_velocity = vector(), pair.upper_velocity = vector();
+  }
+  return pairs;
+}
+
+/// Resolves one microstep without motion. Returns the velocities of all nodes. `cracked`: the pairs are the sides of
+/// cracks, else bodies in collision.
+std::vector<Vec3> velocities_after(std::span<const Pair> pairs, bool cracked, double& lost, Vec3& momentum_change) {
+  Tets tets;
+  std::vector<CrackSides> cracks;
+  for (const Pair& pair : pairs) {
+    const int lower = tets.add(pair.lower, pair.lower_velocity), upper = tets.add(pair.upper, pair.upper_velocity);
+    if (!cracked) continue;
+    tets.laws.back().family = tets.laws[tets.laws.size() - 2].family;
+    cracks.push_back({lower, upper, {0, 2, 1}, {0, 1, 2}});
+  }
+  tets.bodies.finish();
+  const double dt = 1e-9;
+  tets.bodies.set_step(dt);
+  std::vector<int> flagged;
+  tets.bodies.compute_forces();
+  tets.bodies.advance(0, flagged);
+  const double energy = tets.kinetic_energy();
+  const Vec3 momentum = tets.momentum();
+  MicrostepContacts impacts(tets.bodies, tets.surface, cracks, {}, tets.laws, 1);
+  impacts.resolve(tets.bodies, dt, 0);
+  tets.bodies.compute_forces();
+  lost = impacts.lost(tets.bodies, dt) - (energy - tets.kinetic_energy());
+  momentum_change = tets.momentum() - momentum;
+  std::vector<Vec3> velocities;
+  for (int i = 0; i < tets.bodies.node_count(); ++i) velocities.push_back(tets.bodies.velocity(i));
+  return velocities;
+}
+
+class PairsOfSides : public ::testing::TestWithParam<bool> {};
+
+/// Sides are examined four at a time, and neighbors in that group must not matter.
+TEST_P(PairsOfSides, GetTheSameImpulsesAloneAndBesideOthers) {
+  const std::vector<Pair> pairs = random_pairs(11);
+  double lost = 0;
+  Vec3 momentum_change;
+  const std::vector<Vec3> together = velocities_after(pairs, GetParam(), lost, momentum_change);
+  int pushed = 0, unmoved = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const std::vector<Vec3> alone = velocities_after(std::span(pairs).subspan(i, 1), GetParam(), lost, momentum_change);
+    for (int node = 0; node < 8; ++node) EXPECT_EQ(alone[node], together[8 * i + node]) << i;
+    (alone[0] == pairs[i].lower_velocity ? unmoved : pushed) += 1;
+  }
+  EXPECT_GE(pushed, 2);
+  EXPECT_GE(unmoved, 2);
+}
+
+TEST_P(PairsOfSides, KeepMomentumAndAccountForEnergy) {
+  for (int count = 1; count < 10; ++count) {
+    double lost = 0;
+    Vec3 momentum_change;
+    velocities_after(random_pairs(count), GetParam(), lost, momentum_change);
+    EXPECT_LT(std::abs(lost), 1e-6);
+    EXPECT_LT(momentum_change.norm(), 1e-9);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfCracksAndOfBodies, PairsOfSides, ::testing::Bool());
+
+/// Sides of a crack that overlap meet at their center without rebound.
+TEST(MicrostepContacts, SidesOfACrackThatCloseStopEachOther) {
+  Tets tets;
+  Corners4 upper = kUpper;
+  for (Vec3& corner : upper) corner.z() -= 1e-4;
+  const int first = tets.add(kLower, Vec3(0, 0, 1)), second = tets.add(upper, Vec3(0, 0, -2));
+  tets.laws[1].family = tets.laws[0].family;
+  tets.bodies.finish();
+  tets.bodies.set_step(1e-9);
+  std::vector<int> flagged;
+  tets.bodies.compute_forces();
+  tets.bodies.advance(0, flagged);
+  const std::vector<CrackSides> crack = {{first, second, {0, 2, 1}, {0, 1, 2}}};
+  MicrostepContacts impacts(tets.bodies, tets.surface, crack, {}, tets.laws, 1);
+  impacts.resolve(tets.bodies, 1e-9, 0);
+  const auto center_velocity = [&](int node) {
+    return Vec3((tets.bodies.velocity(node) + tets.bodies.velocity(node + 1) + tets.bodies.velocity(node + 2)) / 3);
+  };
+  EXPECT_LT((center_velocity(0) - Vec3(0, 0, -0.5)).norm(), 1e-9);  // equal masses: the mean
+  EXPECT_LT((center_velocity(4) - Vec3(0, 0, -0.5)).norm(), 1e-9);
+}
+
+/// A ball that rises into the face of a tet from below.
+Obstacle ball_below(const Vec3& place) {
+  Obstacle ball;
+  ball.radius = 0.2;
+  ball.inverse_mass = 1e-3;
+  ball.inverse_inertia = 0.1 * Mat3::Identity();
+  ball.state.pose.translation = place + Vec3(0.3, 0.3, -0.19);
+  ball.state.velocity = Vec3(0, 0, 5);
+  return ball;
+}
+
+/// Returns velocities of nodes after a microstep of tets with a ball under each, `offsets` away from its position in
+/// contact.
+std::vector<Vec3> struck(std::span<const Vec3> places, std::span<const Vec3> offsets) {
+  Tets tets;
+  std::vector<Obstacle> balls;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    Corners4 corners = kUpper;
+    for (Vec3& corner : corners) corner += places[i];
+    tets.add(corners, Vec3::Zero());
+    balls.push_back(ball_below(places[i] + offsets[i]));
+  }
+  tets.bodies.finish();
+  tets.bodies.set_step(1e-9);
+  std::vector<int> flagged;
+  tets.bodies.compute_forces();
+  tets.bodies.advance(0, flagged);
+  MicrostepContacts impacts(tets.bodies, tets.surface, {}, std::move(balls), tets.laws, 1);
+  impacts.resolve(tets.bodies, 1e-9, 0);
+  std::vector<Vec3> velocities;
+  for (int i = 0; i < tets.bodies.node_count(); ++i) velocities.push_back(tets.bodies.velocity(i));
+  return velocities;
+}
+
+/// The search by position must find all candidates near an obstacle, however many others there are.
+TEST(MicrostepContacts, BallsAmongManyTetsStrikeAsThoseAlone) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> number(-1, 1);
+  std::vector<Vec3> places, offsets;
+  for (int i = 0; i < 64; ++i) {
+    places.push_back(4 * Vec3(i % 4, i / 4 % 4, i / 16) + 0.5 * Vec3(number(random), number(random), number(random)));
+    offsets.push_back(0.5 * Vec3(number(random), number(random), 0.1 * number(random)));
+  }
+  const std::vector<Vec3> together = struck(places, offsets);
+  int pushed = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::vector<Vec3> alone = struck(std::span(places).subspan(i, 1), std::span(offsets).subspan(i, 1));
+    for (int node = 0; node < 4; ++node) EXPECT_EQ(alone[node], together[4 * i + node]) << i;
+    pushed += !alone[0].isZero(0) || !alone[1].isZero(0);
+  }
+  EXPECT_GT(pushed, 10);
+  EXPECT_LT(pushed, 64);
+}
+
+}  // namespace
+}  // namespace griffith::explicit_dynamics
