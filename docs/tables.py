@@ -133,7 +133,7 @@ def energy(path, settings):
     percent = lambda digits, *names: f'{100 * sum(account[name] for name in names) / put_in + 0:.{digits}f}'
     short = lambda *names: re.sub(r'^-?0\.0$', '0', percent(1, *names))
     joules = f'{put_in:.3g} J' if put_in < 1e3 else f'{put_in / 1e3:.3g} kJ'
-    return [joules, short('kinetic', 'elastic'), short('contacts'), short('material_damping'),
+    return [joules, short('kinetic', 'elastic'), short('fracture'), short('contacts'), short('material_damping'),
             short('microstep_damping'), short('time_integration'), short('hand_over', 'limited'), short('scaling'),
             percent(3, 'unaccounted'), short('fracture_energy')]
 
@@ -173,8 +173,8 @@ def weak_walls():
             'bending breaks the wall.)'),
         row('tensile strength', 9, 'kPa', 'tensile_strength', (40, 60, 90), 'It is the resistance.'),
         row('fracture toughness', 9, 'kPa√m', 'fracture_toughness', (15, 45, 135),
-            'Cracks start at the same load, then stop sooner. Above K_Ic = σ_t √(2πh)/1.3 the strength decides at the front '
-            'as well, and toughness has no influence.'),
+            'Cracks start at the same load, then stop sooner. Where elements are smaller than (K_Ic/σ_t)², the strength decides '
+            'at the front as well.'),
         row('separation toughness', 15, 'kN', 'separation_toughness', (15, 30, 60),
             'The resistance of `separation_force`.', criterion='separation_force')]
 
@@ -329,7 +329,7 @@ TABLES = [
           '| budget, ms | most work of a step, ms | lowest f | relieved elements | unfinished substeps | pieces | crack area, m² |',
           ceilings, ('10',), .5),
     Table('energy', 'fracture.md',
-          '| scene | integrator | supplied | stored | contacts | material | microsteps | time integration | '
+          '| scene | integrator | supplied | stored | fracture | contacts | material | microsteps | time integration | '
           'regime change, limits | scaling | unaccounted | fracture energy |', energies, ('block_stack', 'hybrid'), .1),
     Table('weak_walls', 'fracture.md', '| property | shot | weak wall | regular wall | strong wall | why |', weak_walls,
           ('tensile strength', '9 m/s'), .5),

@@ -46,7 +46,7 @@ void BoxTree::remove(int leaf) {
   refit_above(sibling);
 }
 
-/// Down to where the boxes grow least.
+/// Returns the sibling whose boxes grow least.
 int BoxTree::best_sibling(const Box& box) const {
   int node = root_;
   while (nodes_[node].children[0] >= 0) {
@@ -77,8 +77,8 @@ void BoxTree::refit_above(int node) {
   }
 }
 
-/// Exchanges a child with a grandchild on the other side where that makes the other child's box smaller, or the tree
-/// much less deep.
+/// Exchanges a child with a grandchild on the other side if that makes the other child's box smaller, or the tree much
+/// shallower.
 void BoxTree::rotate(int node) {
   if (nodes_[node].height < 2) return;
   double best = 0;

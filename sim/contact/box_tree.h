@@ -6,7 +6,7 @@
 
 namespace griffith::contact {
 
-/// An axis-parallel box [m].
+/// Axis-parallel box [m].
 struct Box {
   Vec3 low, high;
   bool holds(const Box& other) const {
@@ -17,18 +17,18 @@ struct Box {
            other.low.y() <= high.y() && low.z() <= other.high.z() && other.low.z() <= high.z();
   }
   Box with(const Box& other) const { return {low.cwiseMin(other.low), high.cwiseMax(other.high)}; }
-  /// Half of its surface [m²].
+  /// Returns half of its surface [m²].
   double area() const {
     const Vec3 size = high - low;
     return size.x() * size.y() + size.y() * size.z() + size.z() * size.x();
   }
 };
 
-/// Boxes in a binary tree whose leaves come and go: each goes to where the boxes above it grow least, and the tree is
-/// rotated where that makes them smaller (as Box2D's). A value: a copy answers alike.
+/// Dynamic binary tree of boxes: a new leaf goes to where the boxes above it grow least, and the tree is rotated if
+/// that makes them smaller (as in Box2D). A value: a copy gives the same answers.
 class BoxTree {
  public:
-  /// What a leaf stands for: a convex part of an object.
+  /// Convex part of an object: the content of a leaf.
   struct Item {
     int object, part;
   };
@@ -59,7 +59,7 @@ class BoxTree {
     int height = 0;
   };
 
-  /// The node that comes next when those below this one are left out; -1 after the last.
+  /// Returns the next node after those below this one; -1 after the last.
   int after(int node) const {
     while (nodes_[node].parent >= 0 && nodes_[nodes_[node].parent].children[1] == node) node = nodes_[node].parent;
     return nodes_[node].parent < 0 ? -1 : nodes_[nodes_[node].parent].children[1];

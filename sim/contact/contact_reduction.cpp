@@ -8,14 +8,14 @@ namespace {
 
 constexpr double kAlike = 0.95;  // cosine of the angle between two normals
 
-/// The index in `group` with the largest value, the first of several.
+/// Returns the index in `group` with the largest value, the first of several.
 template <class Value>
 int best_of(const std::vector<int>& group, Value value) {
   return *std::max_element(group.begin(), group.end(), [&](int a, int b) { return value(a) < value(b); });
 }
 
-/// The outermost along two axes of the contact plane. Which ones these are changes little from step to step, so that
-/// their last impulses stay a good guess.
+/// Returns the outermost contacts along two axes of the contact plane. The choice changes little from step to step, so
+/// that the last impulses stay a good guess.
 std::vector<int> outermost_four(std::span<const Contact> contacts, const std::vector<int>& group) {
   const Vec3 normal = contacts[group.front()].normal, first = normal.unitOrthogonal(), second = normal.cross(first);
   std::vector<int> kept;

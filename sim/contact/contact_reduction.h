@@ -7,8 +7,8 @@
 
 namespace griffith {
 
-/// Which of the contacts of one pair of objects are enough to hold them apart: of those that point alike (within 18°),
-/// the four outermost. Ascending indices.
+/// Returns the contacts that suffice to hold a pair of objects apart: of those with similar normals (within 18°), the
+/// four outermost. Ascending indices.
 std::vector<int> representative_contacts(std::span<const Contact> contacts);
 
 }  // namespace griffith

@@ -13,41 +13,41 @@
 
 namespace griffith {
 
-/// A rigid object of the contact world: an elastic body's proxy, a projectile or the ground.
+/// Rigid object of the contact world: an elastic body's proxy, a projectile or the ground.
 using ProxyId = Id<struct ProxyTag>;
 
-/// One convex part of a body's shape: its corner points in the body's own frame (origin at the center of mass) [m].
+/// Convex part of a body's shape: its corners in the body's own frame (origin at the center of mass) [m].
 using ConvexPart = std::vector<Vec3>;
 
 /// Placement and motion of a rigid object.
 struct RigidState {
-  Pose pose;                             ///< of the center of mass frame
-  Vec3 velocity = Vec3::Zero();          ///< of the center of mass [m/s]
+  Pose pose;                             ///< pose of the center-of-mass frame
+  Vec3 velocity = Vec3::Zero();          ///< velocity of the center of mass [m/s]
   Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
 };
 
 struct RigidMass {
   double mass = 1;                  ///< [kg], > 0
-  Mat3 inertia = Mat3::Identity();  ///< about the center of mass, in the object's own frame [kg·m²]
+  Mat3 inertia = Mat3::Identity();  ///< inertia about the center of mass, in the object's own frame [kg·m²]
 };
 
 struct SurfaceProperties {
   double friction = 0.6;     ///< Coulomb's; a pair uses the geometric mean
   double restitution = 0.1;  ///< a pair uses the smaller one
-  /// The torque that resists rolling, over the normal force times the distance from the contact to the center: what
-  /// rolls on level ground slows down by about so much of g. A pair uses the larger one.
+  /// Torque that resists rolling, over the normal force times the distance from the contact to the center: objects that
+  /// roll on level ground slow down by about this fraction of g. A pair uses the larger value.
   double rolling_resistance = 0.02;
 };
 
-/// How an object takes part.
+/// Mobility of an object.
 enum class Mobility {
   free,       ///< contacts move it
   kinematic,  ///< contacts do not move it: a body with supports; its velocity still counts at the contact. Where it
               ///< moves it touches the ground, which its elastic answer may stop, but nothing else that is held
 };
 
-/// A point where two objects touch, or soon will: gaps up to 2 % of the smaller object's radius are listed. Two convex
-/// parts have at most four. Between detect() and solve() the owner may correct the distance, and put in others.
+/// Point at which two objects touch or soon will: gaps up to 2 % of the smaller object's radius are listed. Two convex
+/// parts have at most four. Between detect() and solve() the owner may correct the distance and add contacts.
 struct Contact {
   ProxyId a, b;
   Vec3 position;                ///< half-way between their surfaces, where the impulse acts on both [m]
@@ -56,23 +56,23 @@ struct Contact {
   double approach = 0;          ///< speed at which the gap would close without impulses, from solve() [m/s]
   Vec3 impulse = Vec3::Zero();  ///< on a, in the substep just solved; b gets the opposite [N·s]
   NodeId node_a = {},
-         node_b = {};  ///< of the owner's, that touch here; at least one in what the owner put in, else none
+         node_b = {};  ///< nodes of the owner that touch here; at least one in contacts set by the owner, else none
 };
 
-/// An elastic object and the velocities of its points at contacts, as if nothing touched it.
+/// Elastic object and the velocities of its points at contacts, without contact forces.
 struct ElasticObject {
   ProxyId object;
   std::vector<int> contacts;         ///< indices into contacts(), ascending: all of the object's
   Eigen::Matrix3Xd free_velocities;  ///< one column a contact [m/s]
 };
 
-/// A held object that its supports let turn, taken for rigid.
+/// Held object that its supports let rotate, treated as rigid.
 struct HingedObject {
   ProxyId object;
   double mass;            ///< [kg]
-  Vec3 place;             ///< that hardly moves [m]
+  Vec3 place;             ///< place that hardly moves [m]
   Mat3 inverse_inertia;   ///< about the axes that are free, world frame [1/(kg·m²)]
-  Vec3 first_spin, spin;  ///< when the substep begins and, as if nothing touched it, when it ends [rad/s]
+  Vec3 first_spin, spin;  ///< spin at the start of the substep and, without contact forces, at its end [rad/s]
 };
 
 /// Finds and solves the contacts of everything.
@@ -102,18 +102,18 @@ class ContactWorld {
   ContactWorld(ContactWorld&&) noexcept;
   ContactWorld& operator=(ContactWorld&&) noexcept;
 
-  /// A horizontal plane that fills everything below `height`. At most one.
+  /// Adds a horizontal plane that fills everything below `height`. At most one.
   ProxyId add_ground(double height, const SurfaceProperties& surface);
-  /// A rigid sphere that the contact world itself moves. Radius [m] > 0, mass [kg] > 0.
+  /// Adds a rigid sphere that the contact world itself moves. Radius [m] > 0, mass [kg] > 0.
   ProxyId add_sphere(double radius, double mass, const RigidState& state, const SurfaceProperties& surface);
-  /// Adds a convex body that the contact world itself moves: its corners in its own frame (origin at the center of
-  /// mass), not all in a plane.
+  /// Adds a convex body moved by the contact world itself: its corners in its own frame (origin at the center of mass),
+  /// not all in a plane.
   ProxyId add_convex(const ConvexPart& corners, const RigidMass& mass, const RigidState& state,
                      const SurfaceProperties& surface);
-  /// The proxy of an elastic body: at least one part. When held, its mass is not used.
+  /// Adds the proxy of an elastic body: at least one part. The mass of a held one is not used.
   ProxyId add_proxy(std::span<const ConvexPart> parts, const RigidMass& mass, Mobility mobility,
                     const RigidState& state, const SurfaceProperties& surface);
-  /// What add_proxy() takes.
+  /// Input of add_proxy().
   struct Proxy {
     std::span<const ConvexPart> parts;
     RigidMass mass;
@@ -123,51 +123,51 @@ class ContactWorld {
   };
   /// Adds many in their order: as one by one, but their shapes are made in parallel.
   std::vector<ProxyId> add_proxies(std::span<const Proxy> proxies);
-  /// A new shape and mass for a proxy whose body lost a piece. Pairs that overlap when first seen after
+  /// Sets a new shape and mass of a proxy whose body lost a piece. Pairs that overlap when first seen after
   /// add_proxy() or reshape() are fresh cracks: they are neither pushed apart nor do they bounce. That much overlap
   /// stays allowed until it has shrunk, save with the ground.
   void reshape(ProxyId proxy, std::span<const ConvexPart> parts, const RigidMass& mass, Mobility mobility,
                const RigidState& state);
-  /// The shape to which the piece of a proxy has deformed, and its mass. What it overlaps then was not so at birth.
+  /// Sets the deformed shape of a proxy and its mass. New overlaps count as such.
   void deform(ProxyId proxy, std::span<const ConvexPart> parts, const RigidMass& mass, const RigidState& state);
-  /// The id is never given out again. Contacts listed so far are void, here, in reshape() and deform().
+  /// Removes an object. Its id is never used again. Invalidates the listed contacts, as do reshape() and deform().
   void remove(ProxyId object);
 
   void set_state(ProxyId object, const RigidState& state);
   void set_surface(ProxyId object, const SurfaceProperties& surface);
   void set_velocity(ProxyId object, const Vec3& velocity, const Vec3& angular_velocity);
-  /// As set last; after advance() with the solved velocities and, for a projectile, in its new place.
+  /// Returns the state set last; after advance() with the solved velocities and, for a projectile, its new place.
   RigidState state(ProxyId object) const;
   bool is_ground(ProxyId object) const;
-  /// The ground, if there is one.
+  /// Returns the ground, if there is one.
   std::optional<ProxyId> ground() const;
-  /// Whether impulses move it as a rigid object: it is neither held nor asleep.
+  /// True if impulses move it as a rigid object: it is neither held nor asleep.
   bool moves(ProxyId object) const;
-  /// Overlap that a fresh crack left between two objects and that stays allowed [m], mostly 0.
+  /// Returns the overlap of two objects that a fresh crack left and that remains allowed [m], usually 0.
   double allowed_overlap(ProxyId a, ProxyId b) const;
 
-  /// Contacts at the present poses; with a `dt` [s], those too whose gaps would close within that time at the present
-  /// velocities. Invalidates spans handed out before.
+  /// Finds contacts at the present poses; with a `dt` [s], also those whose gaps would close within that time at the
+  /// present velocities. Invalidates earlier spans.
   void detect(double dt = 0);
   std::span<Contact> contacts();
   std::span<const Contact> contacts() const;
   /// Takes out the contacts that are marked and puts in others, between nodes of an object and the other's surface. The
   /// same nodes start from the impulses of the last substep. To be called between detect() and solve(), if at all.
   void replace_contacts(const std::vector<bool>& taken_out, std::span<const Contact> put_in);
-  /// Leaves out of contacts() the near misses, most of a heap's: gaps that stay open for `dt` [s] > 0 even where both
-  /// sides come together a quarter faster than `approach` says (per contact [m/s], negative where they part), or with
-  /// half the speed of what strikes either of them, and that did not push in the last substep. Returns the new index of
-  /// each contact, or -1. To be called between detect() and solve(), if at all.
+  /// Removes near misses, most contacts of a heap, from contacts(): gaps that stay open for `dt` [s] > 0 even if both
+  /// sides approach a quarter faster than `approach` (per contact [m/s], negative if they separate), or at half the
+  /// speed of an impact on either of them, and that carried no impulse in the last substep. Returns the new index of
+  /// each contact, or -1. May be called between detect() and solve().
   std::vector<int> drop_near_misses(double dt, std::span<const double> approach);
-  /// Leaves the contacts of objects out of contacts(), per ProxyId; those beyond the end stay. To be called right after
-  /// detect(), if at all.
+  /// Removes the contacts of objects from contacts(), per ProxyId; objects beyond the end keep theirs. May be called
+  /// right after detect().
   void drop_contacts_of(const std::vector<bool>& objects);
   /// Writes the impulses of a substep of `dt` [s] > 0 into contacts(), except those of groups of objects that touch
   /// and of which one is elastic: their owner solves them by law() and hands in set_impulse(). What is hinged stands
   /// still there. Its owner turns it by the impulses. Returns how many times a contact was solved, for those who count
   /// work.
   int solve(double dt, std::span<const ElasticObject> elastic = {}, std::span<const HingedObject> hinged = {});
-  /// Contacts of the groups that the last solve() left to the owner, ascending in each.
+  /// Returns the contacts of the groups that the last solve() left to the owner, each ascending.
   std::vector<std::vector<int>> elastic_groups() const;
   /// Law of a contact in the last solve().
   struct Law {
@@ -180,68 +180,67 @@ class ContactWorld {
   Law law(int contact) const;
   /// Sets the impulse on a [N·s], world frame.
   void set_impulse(int contact, const Vec3& impulse) { contacts()[contact].impulse = impulse; }
-  /// Mass and inertia, in the world's frame, of an object that impulses move rigidly; none where they do not.
+  /// Returns the mass and inertia, in the world frame, of an object that impulses move rigidly; empty for others.
   std::optional<RigidMass> rigid_mass(ProxyId object) const;
-  /// Gives the rigid objects the velocities that follow from the impulses in contacts() and moves the projectiles
-  /// (swept, so that none passes through a thin body). Elastic objects of the last solve() keep the velocity that their
-  /// owner set since.
+  /// Sets the velocities of rigid objects by the impulses in contacts(), and moves the projectiles (swept, so that none
+  /// passes through a thin body). Elastic objects of the last solve() keep the velocity that their owner has set.
   void advance(double dt);
 
-  /// Where a proxy's center of mass is after `dt` [s] at its velocity [m]: short of that where it would pass through
-  /// something else, as seen after advance(). What it moves against by less than `slow` [m] is left to the next
-  /// detection, as is all for which `stops` says no.
+  /// Returns the position of a proxy's center of mass after `dt` [s] at its velocity [m]. It stops before it would pass
+  /// through another object, as seen after advance(). Approaches of less than `slow` [m] are left to the next
+  /// detection, like all objects for which `stops` returns false.
   Vec3 swept_center(ProxyId proxy, double dt, double slow, const std::function<bool(ProxyId)>& stops) const;
-  /// The velocity of what was to move by `velocity` [m/s] for `dt` [s] and came along `displacement` [m]: what stopped
-  /// short has not fallen as fast as the whole of its fall would have made it.
+  /// Returns the velocity of an object that would have moved by `velocity` [m/s] for `dt` [s] and was displaced by
+  /// `displacement` [m]: one that stopped early has not gained the speed of its whole fall.
   Vec3 velocity_after(const Vec3& velocity, const Vec3& displacement, double dt) const;
 
-  /// What a proxy is to be displaced by beside its velocities times `dt`, as a rigid motion (translation [m], rotation
-  /// vector [rad] about the center of mass), from the last advance(): the way that it went among its contacts, and out
-  /// of what is left of overlaps. Zero for what touches nothing.
+  /// Displacement of a proxy besides its velocities times `dt`, as a rigid motion (translation [m], rotation vector
+  /// [rad] about the center of mass), from the last advance(): its motion among its contacts, and out of remaining
+  /// overlaps. Zero without contacts.
   struct Correction {
     Vec3 translation = Vec3::Zero(), rotation = Vec3::Zero();
   };
   Correction position_correction(ProxyId proxy) const;
-  /// How far overlaps pushed a projectile in the last advance() [m]; its state holds it already.
+  /// Returns the displacement of a projectile out of overlaps in the last advance() [m]; its state includes it.
   Vec3 pushed_out(ProxyId projectile) const;
 
-  /// For how long something has to lie still before it falls asleep [s].
+  /// Time at rest after which an object falls asleep [s].
   static constexpr double kTimeToSleep = 0.5;
-  /// Objects that, like all that they touch, have hardly moved for that long fall asleep; once a step of `dt` [s].
-  /// Sleepers stand still and cost nothing until something touches one that is not quiet, or a neighbor is reshaped
-  /// or removed.
+  /// Puts objects to sleep that, like all objects they touch, have hardly moved for that long. To be called once per
+  /// step of `dt` [s]. Sleepers stand still and cost nothing until a moving object touches one, or a neighbor is
+  /// reshaped or removed.
   void fall_asleep(double dt);
-  /// Tells whether an elastic object has come to rest, for as long as fall_asleep() asks for; nothing where it is rigid
-  /// and its motion tells.
+  /// Sets whether an elastic object has come to rest, for the duration that fall_asleep() requires; empty if it is
+  /// rigid, so that its motion decides.
   void set_settled(ProxyId object, std::optional<bool> settled);
   bool asleep(ProxyId object) const;
   /// Wakes an object.
   void wake_up(ProxyId object);
 
-  /// The approach speed from which an impact could hurt an object [m/s]; infinite, as for spheres and the ground,
-  /// unless told otherwise.
+  /// Sets the approach speed from which an impact could cause damage to an object [m/s]; infinite by default, as for
+  /// spheres and the ground.
   void set_impact_speed(ProxyId object, double speed);
   /// Two objects that may meet.
   struct Encounter {
     ProxyId a, b;
     double approach = 0;  ///< the fastest that they come together [m/s]
     double time = 0;      ///< free flight that is left to them: up to `tolerance` before they touch [s]
-    double strike = 0;    ///< the same until a corner first strikes that could hurt: not before `time` [s]
+    double strike = 0;    ///< the same until the first damaging impact of a corner, not before `time` [s]
   };
-  /// Pairs that, moving and turning freely for `dt`, would meet with an approach speed above `minimum_speed` [m/s] that
-  /// could hurt one of them, each once. On the safe side: of all corners that may get as far. Pairs that touch already,
-  /// or may within `tolerance` [s], count as meeting now. Pairs of which `matters` says no are left out.
+  /// Pairs that, in free motion for `dt`, would meet at an approach speed above `minimum_speed` [m/s] that could cause
+  /// damage to one of them, each once. Conservative: includes all corners that may get that far. Pairs that touch
+  /// already, or may within `tolerance` [s], count as meeting now. Pairs for which `matters` returns false are omitted.
   using PairFilter = std::function<bool(ProxyId, ProxyId)>;
   std::vector<Encounter> expected_impacts(double dt, double minimum_speed, double tolerance,
                                           const PairFilter& matters = {}) const;
 
-  /// A hash of what is kept from one substep to the next: impulses at contacts, allowed overlaps, who lies still.
+  /// Returns a hash of the state between substeps: impulses at contacts, allowed overlaps, sleepers.
   std::uint64_t memory_hash() const;
 
-  /// Size of what a copy does not share, about [bytes].
+  /// Returns the size of data that a copy does not share, approximately [bytes].
   std::size_t memory() const;
 
-  /// Deepest overlap in contacts(), beyond what fresh cracks are allowed [m], >= 0.
+  /// Returns the deepest overlap in contacts(), beyond that allowed after cracks [m], >= 0.
   double max_penetration() const;
 
  private:
@@ -249,11 +248,11 @@ class ContactWorld {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Splits a body into few, nearly convex parts for collision. `points` and `tets` are the body's own; every tet goes to
-/// one part, the convex hull of its at most 42 most extreme corners. A part is accepted when its tets have at least
-/// `fill` (0..1] of that hull's volume, when it is a single tet or holds less than 1/32 of the body; else it is halved
-/// across its longest axis. Low `fill` makes fewer parts: contact time grows with their number, so give small pieces
-/// 0.5.
+/// Divides a body into few, nearly convex parts for collision. `points` and `tets` are the body's own. Every tet
+/// belongs to one part, the convex hull of its at most 42 most extreme corners. A part is accepted if its tets fill at
+/// least the fraction `fill` (0..1] of that hull, if it is a single tet, or if it has less than 1/32 of the body's
+/// volume; else it is halved across its longest axis. A low `fill` makes fewer parts. Contact time grows with their
+/// number, so 0.5 suits small pieces.
 std::vector<ConvexPart> convex_parts(std::span<const Vec3> points, std::span<const std::array<int, 4>> tets,
                                      double fill = 0.9);
 

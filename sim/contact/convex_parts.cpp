@@ -14,12 +14,12 @@
 namespace griffith {
 namespace {
 
-/// More corners than this cost time at every contact and are not seen in one.
+/// Largest number of corners: more cost time at every contact without a visible effect.
 constexpr int kMaxCorners = 42;
-/// A part with less than this share of the body's volume is not halved any more: it bounds the number of parts.
+/// Fraction of the body's volume below which a part is not halved: it limits the number of parts.
 constexpr double kSmallestFraction = 1.0 / 32;
 
-/// The points of all pieces one after the other, and what is known of each piece.
+/// Points of all pieces in sequence, and data of each piece.
 struct Body {
   std::span<const Vec3> points;
   double fill;
@@ -40,7 +40,7 @@ struct Body {
   }
 };
 
-/// The points used by some pieces, each once.
+/// Returns the points used by some pieces, each once.
 std::vector<Vec3> used_points(const Body& body, std::span<const int> pieces) {
   std::vector<int> nodes;
   for (const int piece : pieces)
@@ -96,7 +96,7 @@ std::size_t halve(const Body& body, std::span<int> pieces, const std::vector<Vec
   return half == 0 || half == pieces.size() ? pieces.size() / 2 : half;
 }
 
-/// The parts of some pieces, whose order it changes.
+/// Returns the parts of some pieces, whose order it changes.
 std::vector<ConvexPart> parts_of(const Body& body, std::span<int> pieces) {
   constexpr std::size_t kTetCorners = 4, kWorthAThread = 32;
   const std::vector<Vec3> points = used_points(body, pieces);

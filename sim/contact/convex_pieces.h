@@ -7,13 +7,13 @@
 
 namespace griffith {
 
-/// A convex piece of a body.
+/// Convex piece of a body.
 struct ConvexPiece {
-  std::vector<int> corners;  ///< of the body's points, at least one
+  std::vector<int> corners;  ///< indices of the body's points, at least one
   double volume = 0;         ///< [m³]
 };
 
-/// As convex_parts() of tets, for a body that is put together from pieces of any kind.
+/// Does the same as convex_parts() of tets for a body made of convex pieces.
 std::vector<ConvexPart> convex_parts(std::span<const Vec3> points, std::span<const ConvexPiece> pieces,
                                      double fill = 0.9);
 

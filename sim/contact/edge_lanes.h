@@ -9,7 +9,7 @@
 
 namespace griffith::contact {
 
-/// Vectors in lanes, one a lane.
+/// Vectors in lanes, one per lane.
 struct Triples {
   simd::DoubleLanes x, y, z;
   void set(int lane, const Vec3& v) { x[lane] = v.x(), y[lane] = v.y(), z[lane] = v.z(); }

@@ -11,10 +11,10 @@ namespace griffith::contact {
 namespace {
 
 using Loop = std::vector<int>;
-/// The face on the left of each directed edge.
+/// Face on the left of each directed edge.
 using FaceAt = std::map<std::pair<int, int>, int>;
 
-/// As long as twice the area.
+/// Returns a vector of twice the area.
 Vec3 doubled_area(const std::vector<Vec3>& corners, const Loop& loop) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 2; i < loop.size(); ++i)
@@ -30,7 +30,7 @@ FaceAt face_at_edges(const std::vector<Loop>& loops) {
   return face_at;
 }
 
-/// The edges between faces; none unless every edge has two.
+/// Returns the edges between faces; none unless every edge has two.
 std::vector<Hull::Edge> edges_of(const std::vector<Loop>& loops) {
   const FaceAt face_at = face_at_edges(loops);
   std::vector<Hull::Edge> edges;
@@ -42,8 +42,8 @@ std::vector<Hull::Edge> edges_of(const std::vector<Loop>& loops) {
   return edges;
 }
 
-/// Joins faces that lie in nearly one plane, as rounding or a slight deformation leaves them of a flat side, with the
-/// narrow ones at its rim.
+/// Joins nearly coplanar faces of a flat side, as rounding or slight deformation makes them, with the narrow ones at
+/// its rim.
 class FlatSides {
  public:
   FlatSides(const std::vector<Vec3>& corners, const std::vector<Loop>& loops, double size)
@@ -68,7 +68,7 @@ class FlatSides {
   }
 
  private:
-  /// The faces around one that lie in its plane.
+  /// Returns the faces around one that lie in its plane.
   std::vector<int> faces_of_side(int seed) {
     std::vector<int> faces = {seed};
     side_of_[seed] = seed;
@@ -103,7 +103,7 @@ class FlatSides {
     return doubled_area < kFlat * size_ * longest;
   }
 
-  /// Once round some faces, if they have one outline.
+  /// Returns the outline of some faces if it is a single one.
   std::optional<Loop> outline_of(const std::vector<int>& faces) const {
     std::map<int, int> next;
     std::size_t count = 0;
@@ -132,12 +132,12 @@ class FlatSides {
   double size_;
 };
 
-/// Whether a face has an area by which it tells which way it looks.
+/// True if a face has an area, and so a normal.
 bool has_normal(const std::vector<Vec3>& corners, const Loop& loop, double size) {
   return doubled_area(corners, loop).norm() > 1e-9 * size * size;
 }
 
-/// No corner is above it, however its normal is rounded.
+/// Returns a face with no corner above it, also with its rounded normal.
 Hull::Face face_of(const std::vector<Vec3>& corners, const Loop& loop, int first) {
   const Vec3 normal = doubled_area(corners, loop).normalized();
   double offset = normal.dot(corners[loop[0]]);

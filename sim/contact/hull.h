@@ -8,8 +8,7 @@
 
 namespace griffith::contact {
 
-/// A convex polyhedron with its faces and edges, in the frame of its object [m]. One that lies in a plane, on a line or
-/// in one spot has corners alone.
+/// Convex polyhedron with its faces and edges, in the frame of its object [m]. A flat one has only corners.
 struct Hull {
   struct Face {
     Vec3 normal;  ///< unit, outward
@@ -32,12 +31,12 @@ struct Hull {
   std::vector<Face> faces;
   std::vector<int> loops;
   std::vector<Edge> edges;
-  Vec3 center = Vec3::Zero();                               ///< of the corners
-  double inner_radius = 0;                                  ///< radius of the largest ball round it that no face cuts
-  Vec3 box_center = Vec3::Zero(), box_half = Vec3::Zero();  ///< the box round them
+  Vec3 center = Vec3::Zero();                               ///< center of the corners
+  double inner_radius = 0;                                  ///< radius of the largest ball around it that no face cuts
+  Vec3 box_center = Vec3::Zero(), box_half = Vec3::Zero();  ///< the box around them
 
  private:
-  /// Coordinates of four corners; the last corner fills what is left.
+  /// Coordinates of four corners; spare places repeat the last corner.
   struct Four {
     simd::DoubleLanes x, y, z;
   };

@@ -13,8 +13,8 @@ namespace {
 
 using Feature = Manifold::Feature;
 
-/// Shares of the smaller radius: what hardly moves keeps its points; by so much an edge has to part a pair better than
-/// a face does; by so much another feature may be better before it is found.
+/// Fractions of the smaller radius: motion up to which a pair keeps its points; advantage that an edge needs over a
+/// face; largest advantage of another feature that may go unnoticed.
 constexpr double kHardlyMoved = 4e-4, kForFaces = 2e-3, kLargestMargin = 1e-1;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -34,7 +34,7 @@ int lowest_corner(const Hull& hull, const Vec3& direction) {
   return static_cast<int>(lowest - hull.corners.begin());
 }
 
-/// Two hulls, a lying at `place` in the frame of b, in which all directions are.
+/// Two hulls, a at `place` in the frame of b, in which all directions are given.
 class HullPair {
  public:
   HullPair(const Hull& a, const Hull& b, const Place& place)
@@ -63,8 +63,8 @@ class HullPair {
     }
   }
 
-  /// The axis along which they are farthest apart, and how far behind the second is, if by less than `margin` [m]. Any
-  /// that parts them by more than `reach` will do. What cannot come within the margin of the best is not computed.
+  /// Returns the axis of largest separation, and its lead over the second if less than `margin` [m]. Any axis that
+  /// separates them by more than `reach` suffices. Axes far behind the best are not computed.
   Axis best_axis(double reach, double for_faces, double& margin) const {
     Axis best;
     double second = -kInfinity;
@@ -118,14 +118,14 @@ class HullPair {
     return for_each_facing_edge(of_a, edge, [](int, double) { return true; });
   }
 
-  /// Unit normal of a feature, from b to a; zero where edges are parallel.
+  /// Returns the unit normal of a feature, from b to a; zero for parallel edges.
   Vec3 normal(Feature feature, int of_a, int of_b) const {
     if (feature == Feature::face_of_b) return b_.faces[of_b].normal;
     if (feature == Feature::face_of_a) return -(place_.rotation * a_.faces[of_a].normal);
     return edge_axis(of_a, of_b);
   }
 
-  /// The points where they are nearer than `reach`; one at least of hulls that overlap.
+  /// Returns the points where they are closer than `reach`; at least one for overlapping hulls.
   FoundPoints find_points(Feature feature, int of_a, int of_b, double reach) const {
     FoundPoints found;
     if (feature == Feature::edges) {
@@ -168,8 +168,8 @@ class HullPair {
 
   Vec3 corner_of_a(int corner) const { return place_.to_world(a_.corners[corner]); }
 
-  /// The most of the way from the other's center, in the hull's frame, along any axis that one of its edges gives, or
-  /// more: these lie against the normals of its faces.
+  /// Returns an upper bound of the distance from the other's center, in the hull's frame, along any axis of one of its
+  /// edges: these are perpendicular to the normals of its faces.
   static double largest_along_edge(const Hull& hull, int index, const Vec3& from_other) {
     const Hull::Edge& edge = hull.edges[index];
     if (hull.faces[edge.left].normal.dot(from_other) >= 0 && hull.faces[edge.right].normal.dot(from_other) >= 0)
@@ -179,7 +179,7 @@ class HullPair {
     return std::sqrt(std::max(0.0, from_other.squaredNorm() - shared * shared / along.squaredNorm()));
   }
 
-  /// Across two edges, from b to a.
+  /// Returns the common normal of two edges, from b to a.
   Vec3 edge_axis(int of_a, int of_b) const {
     constexpr double kParallel = 5e-3;  // the sine
     const Hull::Edge &edge_a = a_.edges[of_a], &edge_b = b_.edges[of_b];
@@ -192,8 +192,8 @@ class HullPair {
     return axis.dot(b_.corners[edge_b.from] - b_.center) >= 0 ? axis : Vec3(-axis);
   }
 
-  /// Calls use(edge of b, separation) for those edges of b that may be nearest to an edge of a: their faces' normals
-  /// cross on the sphere. Stops where that says true, and returns it.
+  /// Calls use(edge of b, separation) for those edges of b that may be closest to an edge of a: their faces' normals
+  /// cross on the sphere. Stops when it returns true, and returns that.
   template <class Use>
   bool for_each_facing_edge(int of_a, const EdgeLanes& edges_of_b, Use use) const {
     const Hull::Edge& edge = a_.edges[of_a];
@@ -218,7 +218,8 @@ class HullPair {
     return false;
   }
 
-  /// Of the faces at a corner the one that looks most against a direction; of all where it lies within a flat side.
+  /// Returns the face at a corner that is most opposed to a direction; searches all faces if the corner lies within a
+  /// flat side.
   static int facing_face(const Hull& hull, int corner, const Vec3& direction) {
     const auto is_at_corner = [&](const Hull::Face& face) {
       return std::ranges::count(std::span(hull.loops).subspan(face.first, face.count), corner) > 0;
@@ -232,7 +233,7 @@ class HullPair {
     return best < 0 ? of_all : best;
   }
 
-  /// Of a face with very many corners, some.
+  /// Returns the polygon of a face, without some of its corners if these are very many.
   template <class Corner>
   static Polygon polygon(const Hull& hull, int face, Corner corner) {
     Polygon made;
@@ -247,7 +248,7 @@ class HullPair {
     return polygon(b_, face, [&](int corner) { return b_.corners[corner]; });
   }
 
-  /// Where two edges are nearest.
+  /// Returns the closest point of two edges.
   FoundPoint edge_point(int of_a, int of_b) const {
     const Hull::Edge &edge_a = a_.edges[of_a], &edge_b = b_.edges[of_b];
     const Vec3 start_a = corner_of_a(edge_a.from), along_a = corner_of_a(edge_a.to) - start_a;
@@ -266,7 +267,7 @@ class HullPair {
   Vec3 center_of_a_;
 };
 
-/// How far a point of the smaller of two objects has moved in the frame of the other, at most [m].
+/// Returns the largest displacement of a point of the smaller of two objects in the frame of the other [m].
 double moved(const Place& then, const Place& now, double radius_a, double radius_b) {
   const double turned = (now.rotation - then.rotation).norm();
   if (radius_a <= radius_b) return (now.translation - then.translation).norm() + radius_a * turned;
@@ -274,7 +275,7 @@ double moved(const Place& then, const Place& now, double radius_a, double radius
   return (b_now - b_then).norm() + radius_b * turned;
 }
 
-/// The four that span the area: one that lies deep, the one farthest from it, and the farthest to both sides of these.
+/// Selects the four that span the area: a deep one, the one farthest from it, and the farthest on both sides of these.
 int spanning_four(std::span<const FoundPoint> found, const Vec3& normal, std::array<int, 4>& kept) {
   constexpr double kSlope = 0.01;  // how much outer ones may be less deep
   const Vec3 outward = normal.unitOrthogonal();
@@ -328,7 +329,7 @@ void set_points(Manifold& manifold, std::span<const FoundPoint> found, const Vec
 
 namespace {
 
-/// Looks at all features of a pair; an edge has to part it better than a face by `for_faces` [m].
+/// Examines all features of a pair; an edge must separate it better than a face by `for_faces` [m].
 void take_best_axis(Manifold& manifold, const HullPair& pair, double reach, double for_faces, double largest_margin) {
   double margin = 2 * largest_margin;
   const HullPair::Axis axis = pair.best_axis(reach, for_faces, margin);

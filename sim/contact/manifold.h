@@ -8,7 +8,7 @@
 
 namespace griffith::contact {
 
-/// Where an object lies.
+/// Place of an object.
 struct Place {
   Mat3 rotation = Mat3::Identity();
   Vec3 translation = Vec3::Zero();
@@ -16,47 +16,47 @@ struct Place {
   Vec3 to_local(const Vec3& world) const { return rotation.transpose() * (world - translation); }
 };
 
-/// Where one lies in the frame of the other.
+/// Returns the place of one in the frame of the other.
 inline Place relative(const Place& one, const Place& other) {
   return {other.rotation.transpose() * one.rotation, other.to_local(one.translation)};
 }
 
-/// The up to four points at which two convex parts meet, with what is remembered of the pair from one detection to the
-/// next. It moves along with the pair, so that most is not computed again while that hardly moves.
+/// Up to four contact points of two convex parts, with the state of the pair from one detection to the next. The points
+/// move with the pair, so that little is computed while it hardly moves.
 struct Manifold {
   static constexpr int kMaxPoints = 4;
   struct Point {
     Vec3 on_a, on_b;            ///< the nearest points of the surfaces, in the frames of the two objects [m]
     Vec3 force = Vec3::Zero();  ///< on a, of the last substep [N]
   };
-  /// What parts two hulls best: a face of one, or two edges.
+  /// Feature that separates two hulls best: a face of one, or two edges.
   enum class Feature : signed char { none, face_of_a, face_of_b, edges };
 
   Feature feature = Feature::none;
   int count = 0;
   int of_a = 0, of_b = 0;           ///< the faces or edges of the feature
-  double margin = 0;                ///< how much the pair may move before another feature may part it better [m]
-  double drift = 0;                 ///< how much it had moved since when last seen [m], at most
-  double separation = 0;            ///< along the feature's normal when last seen [m]
-  double seen_reach = 0;            ///< gap up to which its points were listed when last seen [m]
-  Place seen;                       ///< of a in b's frame, then
-  Vec3 normal_in_b = Vec3::Zero();  ///< unit, towards a
+  double margin = 0;                ///< motion of the pair up to which its feature stays the best [m]
+  double drift = 0;                 ///< bound on its motion since the last search [m]
+  double separation = 0;            ///< along the feature's normal in the last search [m]
+  double seen_reach = 0;            ///< gap up to which the last search listed its points [m]
+  Place seen;                       ///< place of a in b's frame at that time
+  Vec3 normal_in_b = Vec3::Zero();  ///< unit normal, toward a
   std::array<Point, kMaxPoints> points;
 
   std::span<Point> listed() { return {points.data(), static_cast<std::size_t>(count)}; }
   std::span<const Point> listed() const { return {points.data(), static_cast<std::size_t>(count)}; }
 };
 
-/// More are never found at two parts: of a face with very many corners some are looked at.
+/// Largest number at two parts: only some corners of a face with very many are examined.
 inline constexpr int kMostFound = Polygon::kMaxCorners;
 
-/// A point found: on both surfaces, in b's frame.
+/// Point on both surfaces, in b's frame.
 struct FoundPoint {
   Vec3 on_a, on_b;
   double distance;  ///< [m], negative where they overlap
 };
 
-/// A hull and the radius of its object round the origin [m].
+/// Hull and the radius of its object around the origin [m].
 struct SizedHull {
   const Hull& hull;
   double radius;

@@ -7,15 +7,15 @@ namespace griffith {
 
 /// Integrals over a homogeneous convex solid.
 struct MassProperties {
-  Vec3 center = Vec3::Zero();   ///< of mass [m]
+  Vec3 center = Vec3::Zero();   ///< center of mass [m]
   double volume = 0;            ///< [m³]
-  Mat3 inertia = Mat3::Zero();  ///< about the center, of a solid of 1 kg/m³ [kg·m²]
+  Mat3 inertia = Mat3::Zero();  ///< inertia about the center, for a density of 1 kg/m³ [kg·m²]
 };
 
-/// Those of a hull.
+/// Returns the properties of a hull.
 MassProperties mass_properties(const ConvexHull& hull);
 
-/// Whether a hull has room inside, however small: its points do not lie in a plane.
+/// True if a hull encloses a volume, however small: its points do not lie in a plane.
 bool is_solid(const ConvexHull& hull);
 
 }  // namespace griffith

@@ -6,7 +6,7 @@
 
 namespace griffith::contact {
 
-/// Corners of a convex polygon, in order; more than kMaxCorners are left out.
+/// Corners of a convex polygon, in order; at most kMaxCorners.
 struct Polygon {
   static constexpr int kMaxCorners = 64;
   std::array<Vec3, kMaxCorners> corners;
@@ -16,7 +16,7 @@ struct Polygon {
   }
 };
 
-/// Leaves the part of a polygon that lies over a face with the unit normal `outward` (Sutherland and Hodgman 1974).
+/// Clips a polygon to a face with the unit normal `outward` (Sutherland and Hodgman 1974).
 void clip(Polygon& polygon, const Polygon& face, const Vec3& outward);
 
 }  // namespace griffith::contact

@@ -91,7 +91,7 @@ bool RigidRows::is_cold() const {
   return std::ranges::all_of(points, [](const Point& point) { return point.normal == 0; });
 }
 
-/// What is left over has a color for each.
+/// Each remaining block has a color of its own.
 void RigidRows::color_blocks(std::span<const Motion> motions) {
   constexpr int kWorthIt = 128, kColors = 24;
   colors_ = {0};

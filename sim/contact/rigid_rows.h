@@ -11,7 +11,7 @@
 
 namespace griffith::contact {
 
-/// What contacts change of a body in a step, and how it answers them.
+/// Motion of a body in a step that contacts change, and its response to them.
 struct Motion {
   Triple velocity, spin;
   bool moves = false, is_hinged = false;
@@ -34,19 +34,19 @@ struct Motion {
   }
 };
 
-/// A contact as the substeps need it, what each sweep reads first. Impulses are along the block's axes, on a.
+/// Contact as the substeps need it, in the order in which sweeps read it. Impulses are along the block's axes, on a.
 struct Point {
   Triple arm_a, arm_b;
   double inverse_normal = 0;                 ///< 1 / compliance along the normal [kg]
   double couple_x = 0, couple_y = 0;         ///< compliance of the tangents under a normal impulse [1/kg]
   double xx = 0, xy = 0, yy = 0;             ///< inverse of the tangents' compliance [kg]
-  double inverse_largest = 0;                ///< of the largest eigenvalue of that compliance [kg]
-  double target = 0;                         ///< of the parting in the present substep [m/s]
+  double inverse_largest = 0;                ///< inverse of the largest eigenvalue of that compliance [kg]
+  double target = 0;                         ///< target of the separation speed in the present substep [m/s]
   double normal = 0, first = 0, second = 0;  ///< impulse of a substep [N·s]
   double distance = 0, gap = 0;              ///< at the start, in the present substep [m]
   double driven = 0;                         ///< speed of the gap's opening by what contacts do not move [m/s]
   Triple total;                              ///< impulse of the step [N·s]
-  Triple force;                              ///< of the last substep [N]
+  Triple force;                              ///< force of the last substep [N]
   double resting = 0, pushed = 0;            ///< overlap that stays, what went of one [m]
   double restitution = 0, approach = 0, fall = 0;
   Triple before, direction;  ///< impulses before the present sweep; the last change [N·s]
@@ -58,13 +58,13 @@ struct Block {
   int a = 0, b = 0;
   Triple normal, first, second;
   double friction = 0;
-  int begin = 0, end = 0;  ///< of its points
-  bool overlaps = false;   ///< by more than may stay
+  int begin = 0, end = 0;  ///< range of its points
+  bool overlaps = false;   ///< true if the overlap exceeds the one that remains
 };
 
-/// The contacts of a group, those of two bodies together. Blocks lie in the order in which they are solved: down
-/// through a pile, which carries its load at once; of a large group by colors, so that those of one color share no body
-/// that contacts move and may be solved side by side.
+/// Contacts of a group, those of two bodies together, in the order in which they are solved: downward through a pile,
+/// which carries its load at once; in a large group by colors, so that those of one color share no body that contacts
+/// move and may be solved side by side.
 class RigidRows {
  public:
   /// Impulses start from the forces of the last step, for substeps of `substep` [s].

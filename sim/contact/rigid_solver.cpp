@@ -12,19 +12,19 @@ namespace griffith::contact {
 namespace {
 
 constexpr int kSubsteps = 8;
-/// The share of an overlap that goes in a step, beyond what is left: less where it is small, lest pushing should keep
-/// what rocks rocking. That share is reached at this multiple of what is left.
+/// Fraction of an overlap, beyond the remaining one, that is removed in a step; it is less for small ones, so that
+/// rocking objects come to rest, and is reached at this multiple of the remaining overlap.
 constexpr double kPushedOut = 0.2, kFullyPushed = 4;
 constexpr int kPushSweeps = 10;
-/// A substep is solved until no velocity changes by more than this share of what external forces give in it, or after
-/// so much work: rows times sweeps. A group of which nothing is remembered has all of its impulses to find.
+/// Velocity change below which a substep is solved, as a fraction of that by external forces, and its largest work:
+/// rows times sweeps. A group without memory must find all of its impulses.
 constexpr double kResidual = 1e-3;
 constexpr int kWork = 1'000, kMaxSweeps = 8, kColdWork = 60'000, kMaxColdSweeps = 200;
-/// Impacts are solved until no velocity changes by more than this share of the fastest, or for so much work.
+/// Velocity change below which impacts are solved, as a fraction of the highest velocity, and their largest work.
 constexpr double kTolerance = 1e-6;
 constexpr int kImpactSweeps = 60, kMinImpactSweeps = 4, kImpactWork = 12'000;
 
-/// A body's rotation since the start of the step.
+/// Rotation of a body since the start of the step.
 struct Turn {
   Quat whole = Quat::Identity();
   Mat3 less_identity = Mat3::Zero();
@@ -60,7 +60,7 @@ class GroupStep {
     return static_cast<int>(rows_.points.size()) * sweeps;
   }
 
-  /// Leads out of overlaps at the start.
+  /// Moves objects out of overlaps at the start.
   void only_push(double whole_share) {
     for (Point& point : rows_.points) point.gap = point.distance;
     push_apart(whole_share);
@@ -80,7 +80,7 @@ class GroupStep {
     motions_[i].spin += h_ * Triple(bodies_[i].turning);
   }
 
-  /// Where the gaps are, and the impulses of the last substep again, which count towards the step's.
+  /// Sets the gaps, and applies the impulses of the last substep again, which count toward the step's.
   void start(Block& block, double time) {
     Motion a = motions_[block.a], b = motions_[block.b];
     const bool a_moves = a.moves, b_moves = b.moves;
@@ -127,7 +127,7 @@ class GroupStep {
     }
   }
 
-  /// Goes on from a sweep along the conjugate direction, unless the sweeps do not converge (Silcowitz, Niebe & Erleben
+  /// Extrapolates a sweep along the conjugate direction, unless the sweeps do not converge (Silcowitz, Niebe & Erleben
   /// 2010). Returns the size of the sweep's change.
   double extrapolate(double last_size) {
     double size = 0;
@@ -150,8 +150,8 @@ class GroupStep {
     return size;
   }
 
-  /// Solves a block's points one after the other among the others' present impulses, so that its sides part at least at
-  /// the target and sliding is stopped within friction's disc; returns the largest change of a normal velocity.
+  /// Solves a block's points in sequence for the others' present impulses, so that its sides separate at least at the
+  /// target and friction stops sliding within its disc. Returns the largest change of a normal velocity.
   double relax(Block& block) {
     Motion a = motions_[block.a], b = motions_[block.b];
     double largest = 0;
@@ -173,8 +173,7 @@ class GroupStep {
     return largest;
   }
 
-  /// The change of the tangential impulse: what stops the sliding, where the limit allows it; else as much as it
-  /// allows, against the sliding.
+  /// Returns the change of the tangential impulse: that which stops the sliding, or the largest one allowed against it.
   static Triple friction_change(const Block& block, Point& point, const Triple& velocity, double change) {
     const double limit = block.friction * point.normal;
     const double x = dot(block.first, velocity) + change * point.couple_x,
@@ -243,8 +242,8 @@ class GroupStep {
 
   // The end of a step.
 
-  /// The velocity of parting that leads back to restitution² of the height that a contact fell from, or would have
-  /// gone on falling from. Stepped as falls are, one with g keeps v²/2 + g y + g dt v/2, v downwards.
+  /// Returns the separation speed for restitution² of the height of a contact's fall, including the rest of it. In
+  /// substeps, a fall with g conserves v²/2 + g y + g dt v/2, v downward.
   double rebound_speed(const Point& point) const {
     const double gain = point.fall, before = point.approach - gain, weight = 2 * gain / dt_;
     // The top of the steps lies up to g dt²/8 above that of the fall.
@@ -254,7 +253,7 @@ class GroupStep {
     return left > 0 ? gain / 2 + std::sqrt(gain * gain / 4 + left) : 0;
   }
 
-  /// Lets what has struck part again; all else in the group goes on touching. Returns the sweeps.
+  /// Separates contacts after impacts; all others in the group remain. Returns the sweeps.
   int rebound() {
     for (Point& point : rows_.points) {
       point.force = Triple{point.normal, point.first, point.second};

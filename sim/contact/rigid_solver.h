@@ -7,37 +7,37 @@
 
 namespace griffith::contact {
 
-/// A rigid body in a step, about its center of mass or the place of its hinge.
+/// Rigid body in a step, about its center of mass or the place of its hinge.
 struct RigidBody {
-  bool moves = false;                                 ///< by contacts
+  bool moves = false;                                 ///< true if contacts move it
   bool is_hinged = false;                             ///< not moved out of overlaps
   double inverse_mass = 0;                            ///< [1/kg]
   bool is_round = false;                              ///< turning does not change its gaps
   Mat3 inverse_inertia = Mat3::Zero();                ///< world frame, as it lies when the step begins [1/(kg·m²)]
   Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();  ///< at the start, then at the end [m/s], [rad/s]
-  Vec3 acceleration = Vec3::Zero(), turning = Vec3::Zero();   ///< by all but contacts [m/s²], [rad/s²]
+  Vec3 acceleration = Vec3::Zero(), turning = Vec3::Zero();   ///< change by all but contacts [m/s²], [rad/s²]
   Vec3 displacement = Vec3::Zero(), rotation = Vec3::Zero();  ///< found: by its velocities in the step [m], [rad]
   bool touched = false;                                       ///< found: whether any contact pushed it
   Vec3 push = Vec3::Zero(), push_rotation = Vec3::Zero();     ///< found: out of overlaps [m], [rad]
 };
 
-/// A point where two rigid bodies touch or may touch within the step.
+/// Point where two rigid bodies touch or may touch within the step.
 struct RigidContact {
   int a = 0, b = 0;                                 ///< bodies
   Vec3 normal = Vec3::Zero();                       ///< unit, from b to a
-  Vec3 arm_a = Vec3::Zero(), arm_b = Vec3::Zero();  ///< from the centers or hinges [m]
-  double fallen = 0;            ///< how deep it lies along gravity: sweeps down through a pile carry its load at once
+  Vec3 arm_a = Vec3::Zero(), arm_b = Vec3::Zero();  ///< arms from the centers or hinges [m]
+  double fallen = 0;            ///< depth along gravity: sweeps downward through a pile carry its load at once
   double distance = 0;          ///< [m], negative where they overlap by more than is allowed
   double resting = 0;           ///< overlap that stays [m]
   double friction = 0;          ///< Coulomb's coefficient
   double restitution = 0;       ///< coefficient of the normal velocity; 0 without an impact
-  double approach = 0;          ///< that the step would have without contacts [m/s]
-  double fall = 0;              ///< what of it the step's external forces add [m/s]
+  double approach = 0;          ///< approach speed in the step without contacts [m/s]
+  double fall = 0;              ///< part of it by external forces in the step [m/s]
   Vec3 force = Vec3::Zero();    ///< on a: of the last step; then of this one's last substep [N]
   Vec3 impulse = Vec3::Zero();  ///< found: on a [N·s]
 };
 
-/// Bodies that hang together by contacts: indices into both.
+/// Bodies connected by contacts: indices of both.
 struct RigidGroup {
   std::vector<int> bodies, contacts;
 };

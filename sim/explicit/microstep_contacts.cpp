@@ -24,8 +24,9 @@ constexpr double kMicrostepsOfCandidates = 24;
 /// sorting does not pay.
 constexpr double kGridEdge = 0.5;
 constexpr std::size_t kFewPlaces = 64;
-/// Work of a candidate in a microstep, half of them being too far away to be examined, and of a touch [µs].
-constexpr double kCandidateWork = 0.012, kTouchWork = 0.3;
+/// Work of a candidate in a microstep, half of them being too far away to be examined, of a touch, and of a bonded face
+/// [µs].
+constexpr double kCandidateWork = 0.012, kTouchWork = 0.3, kBondWork = 0.01;
 
 /// Returns the undeformed height of the tet behind a side over it [m].
 double height_behind(const ExplicitBodies& bodies, const SurfaceSide& side) {
@@ -94,7 +95,7 @@ void MicrostepContacts::add_side(const ExplicitBodies& bodies, const SurfaceSide
   surface_.push_back({side, kDeepest * height_behind(bodies, side)});
 }
 
-void MicrostepContacts::open(const ExplicitBodies& bodies, const CrackSides& sides) {
+int MicrostepContacts::open(const ExplicitBodies& bodies, const CrackSides& sides) {
   cracks_.push_back({{}, sides});
   const auto add = [&](int slot, const std::array<int, 3>& corners) {
     add_side(bodies, {slot, 6 - corners[0] - corners[1] - corners[2]});
@@ -103,6 +104,8 @@ void MicrostepContacts::open(const ExplicitBodies& bodies, const CrackSides& sid
   add(sides.second_slot, sides.second_corners);
   // The new crack is still empty; objects have to get there first.
   listed_until_ = std::min(listed_until_, travelled_ + kReachOfCracks * margin_);
+  lists_bonds_ = false;
+  return crack_count() - 1;
 }
 
 MicrostepContacts::BoxedSurface MicrostepContacts::boxed_surface(const ExplicitBodies& bodies) const {
@@ -273,13 +276,15 @@ void MicrostepContacts::catch_up() {
 void MicrostepContacts::resolve(ExplicitBodies& bodies, double dt, double min_speed) {
   recorded_impacts_.clear();
   settle_pushed(bodies, dt);
+  hold_cracks(bodies, dt);
   for (std::size_t i = 0; i < obstacles_.size(); ++i)
     candidates_[i].empty() ? obstacles_[i].wait(dt) : obstacles_[i].move(dt);
   const double displacement = dt * closing_speed(bodies);
   travelled_ += displacement;
   if (travelled_ > listed_until_) list_candidates(bodies, displacement);
   find_touches(bodies);
-  work_ += kCandidateWork * static_cast<double>(candidate_count()) + kTouchWork * static_cast<double>(touches_.size());
+  work_ += kCandidateWork * static_cast<double>(candidate_count()) + kTouchWork * static_cast<double>(touches_.size()) +
+           kBondWork * static_cast<double>(bonds_.size());
   bool any = !touches_.empty();
   for (int round = 0; round < kRounds && any; ++round) {
     any = false;

@@ -7,6 +7,7 @@
 
 #include "sim/explicit/explicit_bodies.h"
 #include "sim/explicit/obstacle.h"
+#include "sim/fracture/cohesion.h"
 #include "sim/geometry/point_grid.h"
 
 namespace griffith::explicit_dynamics {
@@ -26,6 +27,7 @@ struct SurfaceLaw {
 struct CrackSides {
   int first_slot = 0, second_slot = 0;
   std::array<int, 3> first_corners{}, second_corners{};
+  std::array<Bond, 3> bonds{};  ///< by corner; forces and openings as they act in the bodies
 };
 
 /// Nodes of both sides in the bodies.
@@ -57,10 +59,17 @@ class MicrostepContacts {
   void resolve(ExplicitBodies& bodies, double dt, double min_speed);
   /// Moves obstacles without contacts to their present positions.
   void catch_up();
-  /// Adds the faces that a crack opened to the surface.
-  void open(const ExplicitBodies& bodies, const CrackSides& sides);
+  /// Adds the faces that a crack opened to the surface. Returns the index of the crack.
+  int open(const ExplicitBodies& bodies, const CrackSides& sides);
+  /// Bonds a corner of a crack.
+  void bond(int crack, int corner, const Bond& bond) {
+    cracks_[crack].sides.bonds[corner] = bond;
+    lists_bonds_ = false;
+  }
 
   std::span<Obstacle> obstacles() { return obstacles_; }
+  int crack_count() const { return static_cast<int>(cracks_.size()); }
+  const CrackSides& crack(int index) const { return cracks_[index].sides; }
   std::span<const RecordedImpact> recorded_impacts() const { return recorded_impacts_; }
   /// Returns the work of search and impulses so far, in microseconds of a typical core, counted and not timed.
   double work() const { return work_; }
@@ -68,6 +77,8 @@ class MicrostepContacts {
   /// Returns the energy dissipated by impulses in microsteps of `dt` [s] [J]. Each impulse counts at the mean velocity
   /// of its microstep, which ends with the next forces, so the bodies must have these.
   double lost(const ExplicitBodies& bodies, double dt);
+  /// Returns the energy that bonds have taken so far [J].
+  double fractured() const { return fractured_; }
 
  private:
   /// Face of the surface. Points deeper behind it than half its tet do not count as behind it [m].
@@ -130,6 +141,10 @@ class MicrostepContacts {
   struct WatchedCrack : Watched {
     CrackSides sides;
   };
+  /// Corner of a crack with a bond, and its nodes on both sides.
+  struct BondedCorner {
+    int first = 0, second = 0, crack = 0, corner = 0;
+  };
   /// Effect of impulses on a node in the last microstep.
   struct Pushed {
     int node = 0;
@@ -177,6 +192,9 @@ class MicrostepContacts {
   /// Reverts the part of the last motion that `impulse` would have prevented, for `time` [s] of it.
   void take_back(ExplicitBodies& bodies, const Touch& touch, const Vec3& impulse, double time);
   bool push(ExplicitBodies& bodies, Touch& touch, double dt, double min_speed);
+  void list_bonds(const ExplicitBodies& bodies);
+  void hold_cracks(ExplicitBodies& bodies, double dt);
+  void hold(ExplicitBodies& bodies, int first, int second, Bond& bond, double dt);
   void close_cracks(ExplicitBodies& bodies);
   void push_apart(ExplicitBodies& bodies, const NodesOfSides& sides, const Vec3& normal, const Vec3& weights);
   Pushed& pushed(const ExplicitBodies& bodies, int node);
@@ -196,8 +214,10 @@ class MicrostepContacts {
   std::vector<int> order_;  ///< order of touches, the deepest first
   std::vector<RecordedImpact> recorded_impacts_;
   std::vector<Pushed> pushed_;
-  std::vector<int> pushed_at_;  ///< per node: index into pushed_, or -1
-  double lost_ = 0, work_ = 0;
+  std::vector<int> pushed_at_;       ///< per node: index into pushed_, or -1
+  std::vector<BondedCorner> bonds_;  ///< by nodes, as far as `lists_bonds_`
+  bool lists_bonds_ = false;
+  double lost_ = 0, fractured_ = 0, work_ = 0;
   double element_size_, margin_ = 0;
   double travelled_ = 0;      ///< bound on the total approach of any two objects [m]
   double listed_until_ = -1;  ///< distance up to which the candidates are complete [m]

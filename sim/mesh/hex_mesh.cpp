@@ -22,8 +22,9 @@ Quad cell_face(const std::array<int, 8>& cell, int face) {
 }
 
 /// Returns the two triangles of a quad, split through its smallest node, so that both cells at the face agree.
-std::array<Triangle, 2> split_quad(Quad quad) {
-  std::rotate(quad.begin(), std::min_element(quad.begin(), quad.end()), quad.end());
+std::array<Triangle, 2> split_quad(const HexMesh& hexes, Quad quad) {
+  const auto original = [&](int node) { return hexes.original(node); };
+  std::rotate(quad.begin(), std::ranges::min_element(quad, {}, original), quad.end());
   return {{{quad[0], quad[1], quad[2]}, {quad[0], quad[2], quad[3]}}};
 }
 
@@ -31,11 +32,11 @@ std::vector<std::array<int, 4>> cut_kuhn(const HexMesh& hexes) {
   std::vector<std::array<int, 4>> tets;
   tets.reserve(6 * hexes.cells.size());
   for (const auto& cell : hexes.cells) {
-    const int apex = *std::min_element(cell.begin(), cell.end());
+    const int apex = *std::ranges::min_element(cell, {}, [&](int node) { return hexes.original(node); });
     for (int face = 0; face < 6; ++face) {
       const Quad quad = cell_face(cell, face);
       if (std::find(quad.begin(), quad.end(), apex) != quad.end()) continue;
-      for (const auto& [a, b, c] : split_quad(quad)) tets.push_back({apex, a, b, c});
+      for (const auto& [a, b, c] : split_quad(hexes, quad)) tets.push_back({apex, a, b, c});
     }
   }
   return tets;
@@ -121,7 +122,7 @@ TetSoup cut_bcc(const HexMesh& hexes) {
       const int other = first_center + faces[++i].cell;
       for (int edge = 0; edge < 4; ++edge) soup.tets.push_back({center, quad[edge], quad[(edge + 1) % 4], other});
     } else {
-      for (const auto& [a, b, c] : split_quad(quad)) soup.tets.push_back({center, a, b, c});
+      for (const auto& [a, b, c] : split_quad(hexes, quad)) soup.tets.push_back({center, a, b, c});
     }
   }
   return soup;

@@ -18,6 +18,10 @@ inline constexpr int kMaxCells = 20'000'000;
 struct HexMesh {
   std::vector<Vec3> points;               ///< [m]
   std::vector<std::array<int, 8>> cells;  ///< indices into `points`
+  std::vector<int> originals;             ///< per point of a slit: that of its first side; empty without slits
+
+  /// Returns the node by which diagonals are chosen, the same on both sides of a slit.
+  int original(int node) const { return originals.empty() ? node : originals[node]; }
 };
 
 /// Cuts every cell into tets with conforming faces, also where cells meet at odd angles, since nodes alone determine

@@ -1,3 +1,4 @@
+#include <numeric>
 #include <string>
 
 #include "sim/core/error.h"
@@ -22,6 +23,8 @@ void open_slit(HexMesh& beam, int middle_column, int tip_row, int rows, int node
   std::vector<int> copies(beam.points.size(), -1);
   const int originals = static_cast<int>(beam.points.size());
   const int columns = nodes_per_row - 1;
+  beam.originals.resize(originals);
+  std::iota(beam.originals.begin(), beam.originals.end(), 0);
   for (std::size_t i = 0; i < beam.cells.size(); ++i) {
     if (static_cast<int>(i) % columns != middle_column) continue;  // cells right of the slit
     for (int& corner : beam.cells[i]) {
@@ -30,6 +33,7 @@ void open_slit(HexMesh& beam, int middle_column, int tip_row, int rows, int node
       if (copies[corner] < 0) {
         copies[corner] = static_cast<int>(beam.points.size());
         beam.points.push_back(Vec3(beam.points[corner]));
+        beam.originals.push_back(corner);
       }
       corner = copies[corner];
     }

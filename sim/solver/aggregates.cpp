@@ -28,7 +28,7 @@ std::vector<int> grow(const BlockSparseMatrix& matrix, int seed, int aggregate, 
   return members;
 }
 
-/// An aggregate next to these rows other than their own, or -1.
+/// Returns an aggregate next to these rows other than their own, or -1.
 int adjacent_aggregate(const BlockSparseMatrix& matrix, const std::vector<int>& rows,
                        const std::vector<int>& aggregates) {
   for (int row : rows)
@@ -42,7 +42,7 @@ void group_the_rest(const BlockSparseMatrix& matrix, int target_size, int count,
   for (int seed = 0; seed < matrix.rows(); ++seed) {
     if (aggregates[seed] >= 0) continue;
     const std::vector<int> members = grow(matrix, seed, count, target_size, aggregates);
-    // Left-over islands between grown aggregates join a neighbor: modes of a few nodes cost as much as any others.
+    // Islands between grown aggregates join a neighbor: modes of a few nodes cost as much as any others.
     const int neighbor =
         static_cast<int>(members.size()) * 4 < target_size ? adjacent_aggregate(matrix, members, aggregates) : -1;
     if (neighbor < 0) {

@@ -7,8 +7,8 @@
 
 namespace griffith {
 
-/// What a system's matrix was assembled from, to tell whether it would come out the same: while a body only sways, its
-/// elements hardly turn, and all that could change the matrix is their turning.
+/// Inputs of the last assembly of a system's matrix. They show whether another assembly would give the same matrix: in
+/// small motions the elements of a body hardly rotate, and only their rotation changes the matrix.
 class AssemblyInputs {
  public:
   /// Nothing yet. `rows`: all that are assembled; those of `supports` have columns for all nodes.
@@ -17,11 +17,11 @@ class AssemblyInputs {
   /// Spans are per node or tet of the mesh.
   void record(const MatrixFactors& factors, const ElasticLaw& law, std::span<const ElementState> states,
               std::span<const double> masses);
-  /// Whether the same factors, law and masses, and frames within a ten-thousandth (Frobenius norm) of those then, would
-  /// give the same matrix but for as much: far less than the residual that systems are solved to.
+  /// True if the matrix would be the same except for negligible changes: factors, law and masses are equal, and frames
+  /// differ by less than 1e-4 (Frobenius norm), far below the residual to which systems are solved.
   bool still_hold(const MatrixFactors& factors, const ElasticLaw& law, std::span<const ElementState> states,
                   std::span<const double> masses) const;
-  /// About [bytes].
+  /// Returns its approximate memory [bytes].
   std::size_t memory() const;
 
  private:

@@ -25,7 +25,7 @@ class BlockCholesky {
   void solve(std::span<simd::WideQuad> x) const { solve_forward(x); }
   /// x becomes L⁻ᵀ x.
   void solve_transposed(std::span<double> x) const;
-  /// About [bytes].
+  /// Returns its approximate memory [bytes].
   std::size_t memory() const { return values_.size() * sizeof(double); }
 
  private:

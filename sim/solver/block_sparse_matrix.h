@@ -24,7 +24,7 @@ struct BlockSparseMatrix {
 /// y = A x. Sizes match A; `y` is resized.
 void multiply(const BlockSparseMatrix& a, const NodeVectors& x, NodeVectors& y);
 
-/// The sum of the products of all components, in an order that does not depend on the threads.
+/// Returns the sum of the products of all components, in an order that does not depend on the threads.
 double dot(const NodeVectors& x, const NodeVectors& y);
 
 /// |D x| with the norms of the diagonal blocks D: the size of the terms that cancel in A x when x is all but rigid, and

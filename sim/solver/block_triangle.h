@@ -14,7 +14,7 @@ class BlockTriangle {
  public:
   static constexpr int kSize = 6;
 
-  /// Of no rows.
+  /// Triangle without rows.
   BlockTriangle() = default;
   /// `lower`: as sparse Cholesky gives it for a matrix of such blocks, with no zero on its diagonal.
   explicit BlockTriangle(const Eigen::SparseMatrix<double>& lower);
@@ -25,7 +25,7 @@ class BlockTriangle {
   void solve(std::span<simd::Lanes> x) const;
   /// x becomes L⁻ᵀ x.
   void solve_transposed(std::span<simd::Lanes> x) const;
-  /// About [bytes].
+  /// Returns its approximate memory [bytes].
   std::size_t memory() const {
     return below_.size() * (sizeof(Block) + sizeof(int)) + diagonals_.size() * 2 * sizeof(Block);
   }

@@ -9,7 +9,7 @@
 namespace griffith {
 namespace {
 
-/// What the iterations work on: see iterate_conjugate_gradients().
+/// Vectors of the iterations in double precision: see iterate_conjugate_gradients().
 struct DoubleVectors {
   const BlockSparseMatrix& a;
   const Preconditioning& preconditioner;
@@ -27,7 +27,7 @@ struct DoubleVectors {
     griffith::multiply(a, p, a_p);
     return dot(p, a_p);
   }
-  /// As dot() sums, in one pass: the sum, one term after the other, hides behind the rest.
+  /// Sums like dot(), in one pass with the update.
   double advance_solution(double step) {
     return parallel_sum(static_cast<int>(x.cols()), [&](int begin, int end) {
       double sum = -0.0;
@@ -42,8 +42,8 @@ struct DoubleVectors {
   }
 };
 
-/// Whether a matrix moves through memory in each product, and the tolerance is one that single precision mostly
-/// reaches.
+/// True if a matrix exceeds the cache, so that each product reads it from memory, and the tolerance is one that single
+/// precision usually reaches.
 bool suits_single_precision(const BlockSparseMatrix& a, double tolerance) {
   constexpr int kBeyondCache = 4096;  // rows
   return a.rows() >= kBeyondCache && tolerance >= 1e-5;

@@ -29,8 +29,8 @@ struct Preconditioning {
 
 /// Preconditioned conjugate gradients (Hestenes & Stiefel 1952) for A x = b, A symmetric positive definite. They start
 /// from the best multiple of what is in `x` (least error in the energy norm), so that a bad guess costs nothing. Stops
-/// at |b − A x| <= tolerance · scale, or when `cancelled`, asked before each iteration, says so. Large matrices and
-/// tolerances from 1e-5 on start in single precision, refined by residuals in double, unless there are factors.
+/// at |b − A x| <= tolerance · scale, or when `cancelled`, called before each iteration, returns true. Large matrices
+/// and tolerances from 1e-5 on start in single precision, refined by residuals in double, unless there are factors.
 SolveReport conjugate_gradient(const BlockSparseMatrix& a, const Preconditioning& preconditioner, const NodeVectors& b,
                                NodeVectors& x, double tolerance, double scale, int max_iterations,
                                const std::function<bool()>& cancelled = {});

@@ -5,9 +5,9 @@
 
 namespace griffith {
 
-/// The iterations of preconditioned conjugate gradients, whatever vectors are made of. Goes on until the residual's
-/// norm `left` is at most `target`, `iterations`, which it counts, are `max_iterations`, `cancelled` says so or numbers
-/// break down. Returns what is left. `vectors` have
+/// Iterates preconditioned conjugate gradients for any type of vectors. Ends when the residual's norm `left` is at most
+/// `target`, `iterations`, which it counts, are `max_iterations`, `cancelled` returns true or numbers break down.
+/// Returns the residual's norm. `vectors` have
 ///   precondition()  z becomes P r; returns r·z           update_direction(f)   p becomes z + f p
 ///   begin()         p becomes z                          advance_solution(s)   x += s p, r −= s A p; returns r·r
 ///   multiply()      finds A p; returns p·A p

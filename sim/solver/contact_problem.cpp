@@ -90,7 +90,7 @@ class ContactSolver {
     return impulses;
   }
 
-  /// What the next round starts from.
+  /// Start of the next round.
   struct RoundChanges {
     Eigen::Matrix3Xd pushes;  ///< impulses that the law adds where contacts move as they did
     Eigen::VectorXd lifts;    ///< found

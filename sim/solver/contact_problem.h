@@ -15,7 +15,7 @@ struct ContactSolveReport {
 
 /// Accuracy of a solve.
 struct ContactTolerance {
-  double relative = 1e-4;          ///< of the largest change of velocity that contacts have to make
+  double relative = 1e-4;          ///< fraction of the largest velocity change required by contacts
   double negligible_speed = 1e-9;  ///< [m/s]
   int max_rounds = 30, max_newton_steps = 60, max_iterations = 400;
 };

@@ -5,7 +5,7 @@
 namespace griffith {
 namespace {
 
-/// The lower triangle by components.
+/// Returns the lower triangle by components.
 Eigen::SparseMatrix<double> lower_triangle(const BlockSparseMatrix& a) {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(9 * a.blocks.size() / 2);

@@ -35,7 +35,7 @@ std::vector<NodeId> number_rows(std::span<const NodeId> body_nodes, std::span<co
   return numbered;
 }
 
-/// What rows of nodes have, of values that rows of edges follow.
+/// Returns the values of nodes, without those of edges that follow.
 NodeVectors of_nodes(const NodeVectors& values, int nodes) { return values.leftCols(nodes); }
 RigidMotion motion_of_nodes(int nodes, const NodeVectors& places, const NodeVectors& velocities,
                             const Eigen::VectorXd& masses) {
@@ -48,7 +48,7 @@ Vec3 spin_of_nodes(int nodes, const Pivot& pivot, const NodeVectors& places, con
   return turning_about(pivot, of_nodes(places, nodes), of_nodes(velocities, nodes), masses.head(nodes)).spin;
 }
 
-/// What spinning does to the shape, seen by a body that turns along: h·m ω×(a×ω) for a node at arm a.
+/// Adds the centrifugal impulses on the shape, in a frame that rotates with the body: h·m ω×(a×ω) for a node at arm a.
 void add_centrifugal_impulses(int nodes, const Vec3& center, const Vec3& spin, const NodeVectors& positions,
                               const Eigen::VectorXd& masses, double dt, NodeVectors& impulses) {
   for (int row = 0; row < nodes; ++row) {

@@ -13,7 +13,7 @@
 
 namespace griffith {
 
-/// What an implicit step is made with.
+/// Parameters of an implicit step.
 struct ImplicitStep {
   double dt = 0;                 ///< h [s], > 0
   double mass_damping = 0;       ///< Rayleigh's alpha [1/s]
@@ -27,45 +27,45 @@ struct EdgeMotion {
   std::span<const Vec3> offsets;   ///< [m]
   std::span<const Vec3> forces;    ///< [N]
   std::span<const double> masses;  ///< [kg]
-  std::span<Vec3> velocities;      ///< of the offsets [m/s]
+  std::span<Vec3> velocities;      ///< velocities of the offsets [m/s]
 };
 
-/// The linear system of one connected body: the linearised implicit step (Baraff & Witkin 1998)
+/// Linear system of one connected body: the linearized implicit step (Baraff & Witkin 1998)
 ///   A v⁺ = b,   A = M + hC + h²K,   b = M v + h (f_elastic + f_external),   C = alpha M + beta K,
 /// under the constraints of its nodes. With S the projector onto the allowed velocities (NodeConstraint::allowed, one
-/// block a node) and w the known velocities, v⁺ = w + x where
+/// block per node) and w the known velocities, v⁺ = w + x where
 ///   S A S x = S (b − A w).
-/// Held nodes have no row; in the row of a sliding one I − S, scaled, keeps the matrix positive definite. The pattern
-/// and the aggregates stand as long as the body's topology does, and are patched where it changes. Edges of a quadratic
-/// body have rows after those of the nodes, under the constraints that both of their ends have.
+/// Held nodes have no row. In the row of a sliding one, the scaled I − S keeps the matrix positive definite. The
+/// pattern and the aggregates remain valid as long as the body's topology does, and are patched where it changes. Edges
+/// of a quadratic body have rows after those of the nodes, under the constraints common to both of their ends.
 class ElasticSystem {
  public:
   /// `tets`: the body's; `constraints`: per node of the mesh. Writes the row of each of the body's nodes to
   /// `row_of_node` (per node of the mesh), -1 for held ones.
   ElasticSystem(const TetMesh& mesh, std::span<const TetId> tets, std::span<const NodeConstraint> constraints,
                 std::span<int> row_of_node);
-  /// Of a quadratic body; writes the rows of its edges too (per edge of the mesh), which are held as `of_ends` (per
-  /// node of the mesh) holds both of their ends.
+  /// System of a quadratic body. Also writes the rows of its edges (per edge of the mesh), which are constrained by the
+  /// constraints `of_ends` (per node of the mesh) of both ends.
   ElasticSystem(const TetMesh& mesh, const TetEdges& topology, std::span<const TetId> tets,
                 std::span<const NodeConstraint> constraints, std::span<const NodeConstraint> of_ends,
                 std::span<int> row_of_node, std::span<int> row_of_edge);
 
-  /// Fits the system of a linear body to one that cracked or lost pieces since: `body_nodes` are all its nodes now,
-  /// ascending. Tets may have left it and nodes may have been copied (split_node() in split.h); the constraints of old
-  /// nodes block what they did. Only the rows round the cracks are made anew; assemble() comes next. As after
-  /// construction but for the aggregates, which stand where they still hold together. Writes `row_of_node` as the
-  /// constructor does.
+  /// Fits the system of a linear body to cracks and lost pieces: `body_nodes` are all its present nodes, ascending.
+  /// Tets may have left it, and nodes may have been copied (split_node() in split.h); the constraints of old nodes
+  /// block the same directions as before. Only the rows around the cracks are rebuilt; assemble() is to follow. The
+  /// result is that of construction except for the aggregates, which remain where they are still connected. Writes
+  /// `row_of_node` as the constructor does.
   void patch(const TetMesh& mesh, std::span<const NodeId> body_nodes, std::span<const NodeConstraint> constraints,
              std::span<int> row_of_node);
 
-  /// The body's nodes that are not held, ascending; row i of the system is nodes()[i].
+  /// Returns the body's nodes that are not held, ascending; row i of the system is nodes()[i].
   std::span<const NodeId> nodes() const { return rows_->nodes; }
-  /// The edges of a quadratic body that are not held, ascending; their rows come after those of the nodes.
+  /// Returns the edges of a quadratic body that are not held, ascending; their rows come after those of the nodes.
   std::span<const EdgeId> edges() const { return rows_->edges; }
   int rows() const { return matrix().rows(); }
-  /// The body's constrained nodes, ascending.
+  /// Returns the body's constrained nodes, ascending.
   std::span<const NodeId> supports() const { return support_rows_->nodes; }
-  /// Whether no node is constrained, so that the body's rigid motion follows from the forces alone.
+  /// True if no node is constrained, so that the body's rigid motion follows from the forces alone.
   bool is_free() const { return supports().empty(); }
 
   /// Builds the matrix and its preconditioner for the present states and positions, or keeps them where they would come
@@ -92,16 +92,16 @@ class ElasticSystem {
   /// guess. `cancelled`: as in conjugate_gradient().
   SolveReport solve_projected(std::span<const NodeConstraint> constraints, double relative_residual, int max_iterations,
                               NodeVectors b, NodeVectors& x, const std::function<bool()>& cancelled = {});
-  /// Solves it by a factorisation; false when that breaks down, and `x` is left alone.
+  /// Solves it by a factorization; false when that breaks down, and `x` is left alone.
   bool solve_directly(std::span<const NodeConstraint> constraints, NodeVectors b, NodeVectors& x) const;
-  /// The values of nodes() and edges() out of values per node and per edge of the mesh, one column a row; zero for
-  /// edges without values.
+  /// Returns the values of nodes() and edges() out of values per node and per edge of the mesh, one column a row; zero
+  /// for edges without values.
   NodeVectors gather(std::span<const Vec3> values, std::span<const Vec3> of_edges = {}) const;
-  /// The same of masses, per row.
+  /// Returns the masses likewise, per row.
   Eigen::VectorXd gather_masses(std::span<const double> masses, std::span<const double> of_edges) const;
 
-  /// What the supports did in the last solve() and add_reactions(), per node of supports(): the force on the node in
-  /// its blocked directions [N], from the balance of its momentum.
+  /// Returns the reactions of the supports in the last solve() and add_reactions(), per node of supports(): the force
+  /// on the node in its blocked directions [N], from the balance of its momentum.
   std::span<const Vec3> reaction_forces() const { return reactions_; }
 
   /// Adds to reaction_forces() what supports do against `impulses` (per node of the mesh [N·s]) that come on top of the
@@ -111,7 +111,7 @@ class ElasticSystem {
   /// Takes out of velocities, one column a row, what constraints block.
   void project(NodeVectors& x) const;
   const BlockSparseMatrix& matrix() const { return rows_->matrix; }
-  /// Of matrix(), after assemble().
+  /// Returns the preconditioner of matrix(), after assemble().
   const RigidModePreconditioner& preconditioner() const { return **preconditioner_; }
   /// Factors of matrix(), of a quadratic body whose are affordable, or null; after assemble().
   const FactorPreconditioner* factors() const { return factors_ ? &*factors_ : nullptr; }

@@ -69,7 +69,7 @@ void ElementRows::keep(const ElementRows& from, int row, std::span<const int> co
 std::vector<int> ElementRows::patch(const TetMesh& mesh, std::span<const NodeId> node_list,
                                     std::span<const int> column_of_node) {
   const std::vector<int> previous = find_rows(nodes, node_list);
-  // A row changes when its star has lost tets or a neighbor is new.
+  // A row changes when its node has lost tets or has a new neighbor.
   std::vector<std::uint8_t> changed(node_list.size(), 0);
   for (std::size_t row = 0; row < node_list.size(); ++row) {
     const std::vector<TetId>& star = mesh.stars[node_list[row]];

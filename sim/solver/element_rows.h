@@ -13,7 +13,7 @@
 
 namespace griffith {
 
-/// What scales mass and stiffness in a system matrix: mass · M + stiffness · K.
+/// Factors of mass and stiffness in a system matrix: mass · M + stiffness · K.
 struct MatrixFactors {
   double mass = 1;
   double stiffness = 1;
@@ -50,12 +50,12 @@ struct ElementRows {
   void add_quadratic(const TetMesh& mesh, const TetEdges& topology, EdgeId edge, const QuadraticColumns& columns);
   /// Makes room for the blocks of all rows.
   void allocate() { matrix.blocks.resize(matrix.columns.size()); }
-  /// Fits the rows to a topology in which stars have only lost tets, or got them from one that did: `node_list` are the
-  /// nodes now, `column_of_node` their rows. Rows whose star and neighbors stand are moved, all others made anew; the
-  /// blocks are left for assemble(). The columns must be the rows' own nodes. Returns the row that each node had, -1
-  /// for a new one.
+  /// Fits the rows to a topology in which nodes have only lost tets, or have received them from one that did.
+  /// `node_list`: the present nodes, `column_of_node` their rows. Rows with the same tets and neighbors are moved, all
+  /// others are rebuilt; the blocks are left to assemble(). The columns must be the rows' own nodes. Returns the
+  /// previous row of each node, -1 for a new one.
   std::vector<int> patch(const TetMesh& mesh, std::span<const NodeId> node_list, std::span<const int> column_of_node);
-  /// About [bytes].
+  /// Returns its approximate memory [bytes].
   std::size_t memory() const {
     return edge_slots.size() * sizeof(edge_slots[0]) + matrix.blocks.size() * (sizeof(Mat3) + sizeof(int)) +
            tets.size() * sizeof(TetAtNode) + nodes.size() * 4 * sizeof(int);
@@ -72,7 +72,7 @@ struct ElementRows {
   void assemble_quadratic(const MatrixFactors& factors, const ElasticLaw& law,
                           std::span<const RestElement> rest_elements, std::span<const ElementState> states,
                           std::span<const double> masses, std::span<const double> edge_masses);
-  /// Appends a row of other ElementRows whose star and neighbors stand.
+  /// Appends a row of other ElementRows, with the same tets and neighbors.
   void keep(const ElementRows& from, int row, std::span<const int> column_of_node);
 };
 

@@ -9,7 +9,7 @@
 namespace griffith {
 namespace {
 
-/// The later rows that each row has entries with, in an order of elimination.
+/// Returns the later rows that each row has entries with, in an order of elimination.
 std::vector<std::vector<int>> later_neighbors(const BlockSparseMatrix& pattern, const std::vector<int>& places) {
   std::vector<std::vector<int>> later(pattern.rows());
   for (int row = 0; row < pattern.rows(); ++row)

@@ -20,7 +20,7 @@ struct Front {
 /// An order in which Cholesky factors of a matrix of 3×3 blocks stay sparse (approximate minimum degree: Amestoy, Davis
 /// & Duff 1996), and the fill that it leaves.
 struct EliminationPlan {
-  std::vector<int> places;    ///< of each row of the matrix, in the order of elimination
+  std::vector<int> places;    ///< place of each row of the matrix in the order of elimination
   std::vector<Front> fronts;  ///< in that order; parents come after their children
 
   std::int64_t entries() const;     ///< numbers of the factor

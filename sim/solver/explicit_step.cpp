@@ -8,7 +8,7 @@
 namespace griffith {
 namespace {
 
-/// A start vector without symmetries, the same on every run: every mode has a share in it.
+/// Returns a start vector without symmetries, the same on every run: every mode has a share in it.
 NodeVectors generic_vector(Eigen::Index count) {
   NodeVectors v(3, count);
   std::uint32_t state = 1;

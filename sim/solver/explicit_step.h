@@ -10,12 +10,12 @@
 
 namespace griffith {
 
-/// The highest frequency of a body, ω = √(largest eigenvalue of M⁻¹K) [rad/s], by Lanczos' method (1950) on M^-½ K
-/// M^-½. An estimate from below, usually within 1 %; 0 without rows. `stiffness`: K alone [N/m], `masses`: per row
-/// [kg].
+/// Returns the highest frequency of a body, ω = √(largest eigenvalue of M⁻¹K) [rad/s], by Lanczos' method (1950) on
+/// M^-½ K M^-½. An estimate from below, usually within 1 %; 0 without rows. `stiffness`: K alone [N/m], `masses`: per
+/// row [kg].
 double highest_frequency(const BlockSparseMatrix& stiffness, const Eigen::VectorXd& masses);
 
-/// The time step of explicit_step() [s]: 0.9 of the critical one, 2/ω for an undamped body; infinite for ω = 0.
+/// Returns the time step of explicit_step() [s]: 0.9 of the critical one, 2/ω for an undamped body; infinite for ω = 0.
 /// Stiffness-proportional damping beta [s] shortens it: with ξ = beta ω / 2 the symplectic scheme is stable for h <=
 /// (2/ω)(√(1 + ξ²) − ξ).
 double stable_time_step(double highest_frequency, double stiffness_damping = 0);

@@ -33,23 +33,24 @@ class FactorPreconditioner {
   /// Returns r·z.
   double apply(const NodeVectors& r, NodeVectors& z) const;
 
-  /// The two halves of apply(): L⁻¹ Pᵀ Rᵀ r, three numbers a row in the order of elimination, and R P L⁻ᵀ of such.
+  /// Return the two halves of apply(): L⁻¹ Pᵀ Rᵀ r, three numbers a row in the order of elimination, and R P L⁻ᵀ of
+  /// such.
   std::vector<double> reduce(const NodeVectors& r) const;
   void expand(std::vector<double> reduced, Eigen::Ref<NodeVectors> z) const;
   /// reduce() of four at once, one a lane.
   std::vector<simd::WideQuad> reduce(const std::array<NodeVectors, simd::kDoubleLanes>& r) const;
 
   int factorization_count() const { return factorizations_; }
-  /// About [bytes].
+  /// Returns its approximate memory [bytes].
   std::size_t memory() const;
   bool shares_with(const FactorPreconditioner& other) const { return state_ == other.state_; }
 
  private:
-  /// What copies share.
+  /// Data that copies share.
   struct Factored {
     std::shared_ptr<const BlockCholesky> factors;
     MatrixFactors made_of;
-    std::vector<Mat3> frames;  ///< of the elements
+    std::vector<Mat3> frames;  ///< frames of the elements
   };
   void factor(const BlockSparseMatrix& matrix, const MatrixFactors& made_of, std::span<const ElementState> states);
   bool still_hold(const MatrixFactors& made_of, std::span<const ElementState> states) const;

@@ -4,13 +4,12 @@
 
 namespace griffith {
 
-/// What a support leaves of a node's freedom: the velocity is unknown in the allowed directions and known in the
-/// others.
+/// Constraint of a node by supports: its velocity is unknown in the allowed directions and known in the others.
 ///   nothing blocked    free
 ///   one direction      slides in a plane: a symmetry plane, a frictionless base
 ///   two                slides along a line: where two such planes meet
 ///   three              held: still, or moving with a prescribed velocity
-/// The world frame; directions stay as they are while the node moves.
+/// In the world frame; the directions do not change while the node moves.
 struct NodeConstraint {
   Mat3 allowed = Mat3::Identity();  ///< projector onto the unknown velocities: I free, I − n nᵀ in a plane, 0 held
   Vec3 velocity = Vec3::Zero();     ///< the known part [m/s]: allowed · velocity = 0; may change from step to step
@@ -29,8 +28,8 @@ struct NodeConstraint {
   void block(const Vec3& direction, double speed);
 };
 
-/// What is left to the middle of an edge between two nodes, beside what the nodes do: what is blocked at both ends is
-/// blocked between them.
+/// Returns the constraint of the midpoint of an edge relative to its ends: directions blocked at both ends are blocked
+/// between them.
 NodeConstraint constraint_between(const NodeConstraint& a, const NodeConstraint& b);
 
 }  // namespace griffith

@@ -16,27 +16,27 @@ struct Pivot {
   Axes axes;                  ///< orthonormal columns: those that it may turn about, one or three
 };
 
-/// How a set of nodes turns about a pivot.
+/// Rotation of a set of nodes about a pivot.
 struct Turning {
   Mat3 inertia = Mat3::Zero();   ///< about the pivot [kg·m²]
   Vec3 momentum = Vec3::Zero();  ///< angular, about the pivot [kg·m²/s]
   Vec3 spin = Vec3::Zero();      ///< the turn about the pivot's axes that carries the momentum about them [rad/s]
 };
 
-/// The pivot of a body with these supports, or none: where it is held more firmly, where nothing holds it still and
-/// where supports move. `constraints` and `positions` [m] are per node of the mesh.
+/// Returns the pivot of a body with these supports, or none: where it is held more firmly, where nothing holds it still
+/// and where supports move. `constraints` and `positions` [m] are per node of the mesh.
 std::optional<Pivot> pivot_of(std::span<const NodeId> supports, std::span<const NodeConstraint> constraints,
                               std::span<const Vec3> positions);
 
 /// Translation that the supports of a body share, by least squares [m/s]: what differs from it deforms the body.
 Vec3 common_velocity(std::span<const NodeId> supports, std::span<const NodeConstraint> constraints);
 
-/// The turning of nodes: one column or entry a node [m], [m/s], [kg].
+/// Returns the rotation of nodes: one column or entry per node [m], [m/s], [kg].
 Turning turning_about(const Pivot& pivot, const NodeVectors& positions, const NodeVectors& velocities,
                       const Eigen::VectorXd& masses);
 
-/// The angular acceleration about the pivot's axes [rad/s²] by forces on nodes that have `half_turn` [rad] still to go;
-/// one column or entry a node [N].
+/// Returns the angular acceleration about the pivot's axes [rad/s²] by forces on nodes that have `half_turn` [rad]
+/// still to go; one column or entry a node [N].
 Vec3 swing_acceleration(const Pivot& pivot, const NodeVectors& positions, const Eigen::VectorXd& masses,
                         const NodeVectors& forces, const Vec3& half_turn);
 

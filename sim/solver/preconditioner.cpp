@@ -15,7 +15,7 @@ namespace {
 /// The factors of a matrix this close do as well: where little moves, most of the set-up is saved.
 constexpr double kSameMatrix = 1e-3;
 
-/// The neighbors of each aggregate that have a higher number, and itself, by other numbers.
+/// Returns the neighbors of each aggregate with a higher number, and itself, in another numbering.
 std::vector<std::vector<int>> renumbered(const std::vector<std::vector<int>>& neighbors,
                                          const std::vector<int>& numbers) {
   std::vector<std::vector<int>> result(neighbors.size());
@@ -46,7 +46,7 @@ simd::Quad cross(simd::Quad turn, simd::Quad arm) {
   return __builtin_shufflevector(product, product, 1, 2, 0, 3);
 }
 
-/// The pattern of the first `count` rows and columns.
+/// Returns the pattern of the first `count` rows and columns.
 BlockSparseMatrix leading_pattern(const BlockSparseMatrix& matrix, int count) {
   BlockSparseMatrix leading;
   for (int row = 0; row < count; ++row) {
@@ -207,7 +207,7 @@ void RigidModePreconditioner::assemble_coarse_matrix(const BlockSparseMatrix& ma
   using CoarseBlock = Eigen::Map<Eigen::Matrix<double, 6, 6>, Eigen::Unaligned, Eigen::OuterStride<>>;
   std::fill(coarse_.valuePtr(), coarse_.valuePtr() + coarse_.nonZeros(), 0.0);
   parallel_for(aggregate_count(), 4, [&](int begin, int end) {
-    std::vector<RigidModes> products;  // A R of a row, per neighbouring aggregate
+    std::vector<RigidModes> products;  // A R of a row, per neighboring aggregate
     for (int a = begin; a < end; ++a) {
       const int neighbors = static_cast<int>(coarse_rows_[a].size());
       double* const first = coarse_.valuePtr() + coarse_.outerIndexPtr()[6 * a];
@@ -223,7 +223,7 @@ void RigidModePreconditioner::assemble_coarse_matrix(const BlockSparseMatrix& ma
       }
     }
   });
-  // Aggregates of one or two nodes have modes that move nothing: a small shift keeps them harmless.
+  // Aggregates of one or two nodes have modes without motion: a small shift keeps the matrix definite.
   const double shift = 1e-12 * coarse_.diagonal().maxCoeff();
   for (int mode = 0; mode < coarse_.cols(); ++mode) {
     double& diagonal = coarse_.valuePtr()[coarse_.outerIndexPtr()[mode] + mode % 6];

@@ -11,8 +11,8 @@
 
 namespace griffith {
 
-/// Eigen's sparse Cholesky factorisation in the order that the matrix has, as a value: a copy analyses the pattern anew
-/// when it next factors.
+/// Eigen's sparse Cholesky factorization in the given order, as a value: a copy analyzes the pattern again when it next
+/// factors.
 class CopyableCholesky {
  public:
   using Solver = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>>;
@@ -25,8 +25,8 @@ class CopyableCholesky {
 
   /// To be called where the pattern of what factor() takes has changed.
   void forget_pattern() { solver_.reset(); }
-  /// The lower triangle of the factors; null where the matrix, of which the lower triangle counts, is not positive
-  /// definite. Valid until the next call.
+  /// Returns the lower triangle of the factors; null where the matrix, of which the lower triangle counts, is not
+  /// positive definite. Valid until the next call.
   const Eigen::SparseMatrix<double>* factor(const Eigen::SparseMatrix<double>& matrix);
 
  private:
@@ -37,11 +37,11 @@ class CopyableCholesky {
 using SingleVectors = std::vector<simd::Quad>;
 
 /// z = D⁻¹ r + R (Rᵀ A R)⁻¹ Rᵀ r: block Jacobi and a coarse space of the six rigid-body modes of each aggregate of
-/// nodes (additive Schwarz). With it the iteration count depends neither on stiffness nor on cracks. Where the coarse
-/// matrix cannot be factored, because A has broken down, z = D⁻¹ r alone.
+/// nodes (additive Schwarz). The iteration count depends neither on stiffness nor on cracks. If A has broken down, so
+/// that the coarse matrix cannot be factored, z = D⁻¹ r.
 ///   A  the system matrix      D  its 3×3 block diagonal
-///   R  one 3×6 block a node: [I, −[x − c]×/l], c the aggregate's center, l the mean size of an aggregate, so that all
-///      modes are of a kind whatever the size of the body; rows after those of nodes, of edges, have no part in it
+///   R  one 3×6 block per node: [I, −[x − c]×/l], with c the aggregate's center and l the mean size of an aggregate, so
+///      that all modes are of a similar size for any size of the body; rows of edges, after those of nodes, are zero
 class RigidModePreconditioner {
  public:
   /// Aggregates of about `aggregate_size` nodes on the pattern of `matrix`, whose first `node_rows` rows are of nodes;
@@ -67,17 +67,17 @@ class RigidModePreconditioner {
   int aggregate_of(int row) const { return aggregates_[row]; }
   /// (x − c)/l of a node in its aggregate.
   Vec3 arm(int row) const { return known_.arms.col(row); }
-  /// How often update() found the coarse matrix changed enough to assemble, and to factor it anew.
+  /// Return how often update() assembled the coarse matrix because of changes, and factored it again.
   int assembly_count() const { return assemblies_; }
   int factorization_count() const { return factorizations_; }
-  /// About [bytes].
+  /// Returns its approximate memory [bytes].
   std::size_t memory() const;
   int aggregate_count() const { return static_cast<int>(members_.size()); }
 
  private:
   friend class SinglePrecisionPreconditioner;
 
-  /// What of a matrix and the places of its nodes tells whether the coarse matrix is another.
+  /// Data of a matrix and the positions of its nodes that show whether the coarse matrix changes.
   struct Fingerprint {
     NodeVectors arms;                    ///< per node: (x − c)/l
     std::vector<Mat3> inverse_diagonal;  ///< per node: changes with the stiffness

@@ -7,8 +7,8 @@ namespace griffith {
 /// Mass, momentum and the rigid motion that carries them, of a set of nodes.
 struct RigidMotion {
   double mass = 0;                       ///< [kg]
-  Vec3 center = Vec3::Zero();            ///< of mass [m]
-  Mat3 inertia = Mat3::Zero();           ///< about the center, world frame [kg·m²]
+  Vec3 center = Vec3::Zero();            ///< center of mass [m]
+  Mat3 inertia = Mat3::Zero();           ///< inertia about the center, world frame [kg·m²]
   Vec3 velocity = Vec3::Zero();          ///< [m/s]
   Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
 
@@ -16,12 +16,12 @@ struct RigidMotion {
   Vec3 velocity_at(const Vec3& position) const { return velocity + angular_velocity.cross(position - center); }
 };
 
-/// The rigid motion with the linear and angular momentum of these nodes: one column or entry a node [m], [m/s], [kg].
-/// They must not all lie on one line.
+/// Returns the rigid motion with the linear and angular momentum of these nodes: one column or entry a node [m], [m/s],
+/// [kg]. They must not all lie on one line.
 RigidMotion rigid_motion(const NodeVectors& positions, const NodeVectors& velocities, const Eigen::VectorXd& masses);
 
-/// What the six rigid motions, unit velocities along the axes and unit turns about them, are at an arm from the center:
-/// [I, −[arm]×].
+/// Velocities of a point at an arm from the center by the six rigid motions, unit velocities along the axes and unit
+/// rotations about them: [I, −[arm]×].
 using RigidModes = Eigen::Matrix<double, 3, 6>;
 inline RigidModes rigid_modes(const Vec3& arm) {
   RigidModes modes;

@@ -15,7 +15,7 @@ simd::Quad load(const float* numbers) {
   return loaded;
 }
 
-/// The dot product of the first three lanes.
+/// Returns the dot product of the first three lanes.
 double dot(simd::Quad a, simd::Quad b) {
   return static_cast<double>(a[0]) * static_cast<double>(b[0]) + static_cast<double>(a[1]) * static_cast<double>(b[1]) +
          static_cast<double>(a[2]) * static_cast<double>(b[2]);
@@ -32,7 +32,7 @@ SingleVectors single(const NodeVectors& vectors, double factor) {
   return converted;
 }
 
-/// The blocks of a matrix one after the other, by columns, with room to read four numbers anywhere.
+/// Returns the blocks of a matrix one after the other, by columns, with room to read four numbers anywhere.
 std::vector<float> single(const std::vector<Mat3>& blocks) {
   std::vector<float> numbers(9 * blocks.size() + 1);
   parallel_for(static_cast<int>(blocks.size()), 16384, [&](int begin, int end) {
@@ -42,12 +42,12 @@ std::vector<float> single(const std::vector<Mat3>& blocks) {
   return numbers;
 }
 
-/// The product of a block and the first three lanes of `x`; the fourth of the result counts for nothing.
+/// Returns the product of a block and the first three lanes of `x`; the fourth lane of the result is meaningless.
 simd::Quad times(const float* block, simd::Quad x) {
   return load(block) * x[0] + load(block + 3) * x[1] + load(block + 6) * x[2];
 }
 
-/// What the iterations work on: see iterate_conjugate_gradients().
+/// Vectors of the iterations in single precision: see iterate_conjugate_gradients().
 struct SinglePrecisionSystem {
   const BlockSparseMatrix& a;
   const std::vector<float> blocks;

@@ -28,7 +28,7 @@ struct Balance {
   double elastic_energy = 0;   // [J]
 };
 
-/// How far a step moves the nodes, and the edges of a quadratic body, per node and edge of the mesh [m].
+/// Displacements of the nodes in a step, and of the edges of a quadratic body, per node and edge of the mesh [m].
 struct StaticStep {
   std::vector<Vec3> nodes, edges;
 };
@@ -109,10 +109,10 @@ ElasticSystem StaticSolver::make_system() {
                        edge_rows_);
 }
 
-/// The node's velocity in the three unit translations and three rotations, the latter scaled to lengths alike.
+/// Returns the node's velocity in the three unit translations and three rotations, the latter scaled to lengths alike.
 RigidModes StaticSolver::modes_at(NodeId node) const { return rigid_modes((positions_[node] - center_) / radius_); }
 
-/// The rigid motions that move no support in a blocked direction: the null space of sum Rᵀ (I − S) R.
+/// Returns the rigid motions that move no support in a blocked direction: the null space of sum Rᵀ (I − S) R.
 ModeCombinations StaticSolver::find_free_motions() const {
   constexpr double kNegligible = 1e-10;
   Eigen::Matrix<double, 6, 6> blocked = Eigen::Matrix<double, 6, 6>::Zero();
@@ -126,8 +126,9 @@ ModeCombinations StaticSolver::find_free_motions() const {
   return eigen.eigenvectors().leftCols(count);
 }
 
-/// The constraints, at no velocity, with pins that just block the free motions: each time the node and direction that
-/// move most. Balanced forces leave no reaction at a pin, so that they only say which of all equal solutions is meant.
+/// Returns the constraints, at no velocity, with pins that just block the free motions: each time the node and
+/// direction that move most. Balanced forces leave no reaction at a pin, so that they only say which of all equal
+/// solutions is meant.
 std::vector<NodeConstraint> StaticSolver::pin_free_motions() const {
   std::vector<NodeConstraint> constraints(problem_.constraints.begin(), problem_.constraints.end());
   for (NodeConstraint& constraint : constraints) constraint.velocity.setZero();
@@ -148,7 +149,7 @@ std::vector<NodeConstraint> StaticSolver::pin_free_motions() const {
   return constraints;
 }
 
-/// The loads less the inertia of the free motion that they cause: f − M Z (Zᵀ M Z)⁻¹ Zᵀ f.
+/// Returns the loads less the inertia of the free motion that they cause: f − M Z (Zᵀ M Z)⁻¹ Zᵀ f.
 std::vector<Vec3> StaticSolver::relieve(const std::vector<Vec3>& loads) const {
   std::vector<Vec3> relieved = loads;
   if (free_motions_.cols() == 0) return relieved;
@@ -218,8 +219,8 @@ double StaticSolver::scale(const Balance& balance) const {
   return std::sqrt(squares);
 }
 
-/// The unbalanced force that the rounding of positions alone makes: strain is known to 1e-16 of position / element
-/// size.
+/// Returns the unbalanced force that the rounding of positions alone makes: strain is known to 1e-16 of position /
+/// element size.
 double StaticSolver::rounding_level() const {
   return 4 * std::numeric_limits<double>::epsilon() *
          diagonal_product_norm(system_->matrix(), system_->gather(positions_));
@@ -234,7 +235,7 @@ StaticStep StaticSolver::newton_step(const Balance& now, std::span<const NodeCon
                     no_masses);
   const NodeVectors b = system_->gather(now.residual, now.edges);
   NodeVectors x = NodeVectors::Zero(3, b.cols());
-  // Large thin quadratic bodies need many iterations, but a factorisation takes longer still.
+  // Large thin quadratic bodies need many iterations, but a factorization takes longer still.
   constexpr int kManyRows = 3000, kMore = 20;
   const int iterations =
       (system_->edges().empty() || system_->rows() < kManyRows ? 1 : kMore) * settings_.max_iterations;
@@ -272,7 +273,8 @@ void StaticSolver::move(const StaticStep& start, const StaticStep& step, double 
   for (const EdgeId edge : edges_) problem_.edges->offsets[edge] = start.edges[edge] + fraction * step.edges[edge];
 }
 
-/// What the potential energy grows by over a share of a step [J]; loads that follow work by their mean.
+/// Returns the growth of the potential energy over a fraction of a step [J]. Loads that follow the surface do work by
+/// their mean.
 double StaticSolver::energy_gained(const Balance& before, const Balance& after, const StaticStep& step,
                                    double fraction) const {
   double work = 0;
@@ -281,8 +283,8 @@ double StaticSolver::energy_gained(const Balance& before, const Balance& after, 
   return after.elastic_energy - before.elastic_energy - work;
 }
 
-/// Halves the step until the energy falls enough (Armijo 1966) or the forces come closer to balance; false when neither
-/// happens.
+/// Halves the step until the energy decreases enough (Armijo 1966) or the imbalance of forces decreases. Returns false
+/// if neither happens.
 bool StaticSolver::search_line(Balance& now, const StaticStep& step) {
   constexpr double kSufficientFraction = 1e-4;
   constexpr int kMaxHalvings = 12;

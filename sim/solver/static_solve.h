@@ -32,16 +32,16 @@ struct StaticProblem {
   /// Adds the loads that follow the nodes, such as pressures, at these positions, per node of the mesh [N]; empty:
   /// none.
   std::function<void(std::span<const Vec3> positions, std::span<Vec3> loads)> add_follower_loads = {};
-  /// Of a quadratic body: `evaluate` sets their states for their offsets, and the mean states beside.
+  /// Edges of a quadratic body: `evaluate` sets their states for their offsets, and the mean states.
   std::optional<StaticEdges> edges = {};
 };
 
 struct StaticSettings {
   double relative_residual = 1e-10;
   int max_newton_steps = 60;
-  int max_iterations = 1000;  ///< of conjugate gradients for a Newton step, 20 times as many for large quadratic
-                              ///< bodies; a sparse factorisation takes over after
-  std::function<bool()> cancelled = {};  ///< asked again and again: the answer is not wanted any more
+  int max_iterations = 1000;  ///< limit of conjugate gradients per Newton step, 20 times as many for large quadratic
+                              ///< bodies; then a sparse factorization takes over
+  std::function<bool()> cancelled = {};  ///< called often; true ends the solve early
 };
 
 struct StaticReport {
@@ -53,7 +53,7 @@ struct StaticReport {
   /// Rigid motions that no support blocks, 0..6. Along them the solution is the one with inertia relief: the body
   /// accelerates as a whole, and its own inertia balances the loads.
   int free_motions = 0;
-  double unbalanced_fraction = 0;     ///< of the loads: what accelerates the body; 0 in true equilibrium
+  double unbalanced_fraction = 0;     ///< fraction of the loads that accelerates the body; 0 in true equilibrium
   std::vector<NodeId> supports;       ///< constrained nodes, ascending
   std::vector<Vec3> reaction_forces;  ///< per support: the force on the node in its blocked directions [N]
 };

@@ -10,7 +10,7 @@
 namespace griffith {
 namespace {
 
-/// The elements near which a contact acts, as cells of half an element's size: contacts in one cell show as one.
+/// Returns the cell of a contact, half an element in size: contacts in one cell are shown as one.
 std::array<std::int64_t, 3> contact_cell(const WorldState& world, const ContactView& contact) {
   const BodyId body = contact.a.valid() ? contact.a : contact.b;
   if (!body.valid()) return {};

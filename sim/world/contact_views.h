@@ -7,8 +7,8 @@ namespace griffith {
 /// Adds the contacts of a substep that carry an impulse to those of the step, for the frame.
 void record_contacts(WorldState& world);
 
-/// `contact` becomes the mean of both, weighted by their impulses, which are added up. One of them at least is not
-/// zero.
+/// Merges two contacts into `contact`: their mean, weighted by their impulses, which are added. At least one impulse is
+/// not zero.
 void merge(ContactView& contact, const ContactView& other);
 
 /// Merges the step's contacts that act at one place.

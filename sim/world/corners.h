@@ -9,14 +9,14 @@
 
 namespace griffith {
 
-/// A tet's values out of values per node of the mesh.
+/// Returns a tet's values from values per node of the mesh.
 inline Corners corners_of(const TetMesh& mesh, TetId tet, std::span<const Vec3> values) {
   Corners corners;
   for (int i = 0; i < 4; ++i) corners.col(i) = values[mesh.tets[tet][i]];
   return corners;
 }
 
-/// A quadratic tet's values out of values per edge of the mesh.
+/// Returns a quadratic tet's values from values per edge of the mesh.
 inline EdgeVectors edges_of(const TetEdges& topology, TetId tet, std::span<const Vec3> values) {
   EdgeVectors edges;
   for (int i = 0; i < 6; ++i) edges.col(i) = values[topology.of_tet[tet][i]];

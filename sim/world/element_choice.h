@@ -6,15 +6,15 @@
 
 namespace griffith {
 
-/// The elements of a scene body, and why.
+/// Element order of a scene body, and its reason.
 struct ElementChoice {
   ElementOrder order = ElementOrder::linear;  ///< never ElementOrder::automatic
   bool automatic = false;                     ///< the scene left the choice
-  int layers = 0;                             ///< across the thinnest part, of a choice (layers_across())
-  std::string reason;                         ///< of a choice: "1 lies across its thinnest part"
+  int layers = 0;                             ///< across the thinnest part, of an automatic choice (layers_across())
+  std::string reason;                         ///< reason of an automatic choice: "1 lies across its thinnest part"
 };
 
-/// "linear, since remeshing needs them", for a body of any choice.
+/// Returns a text such as "linear, since remeshing needs them".
 std::string text_of(const ElementChoice& choice);
 
 }  // namespace griffith

@@ -9,7 +9,7 @@
 
 namespace griffith {
 
-/// Where elements are, and what they are made of.
+/// Elements with their law and placement.
 struct PlacedElements {
   ElasticLaw law;
   const TetMesh& mesh;

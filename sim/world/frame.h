@@ -25,24 +25,24 @@
 
 namespace griffith {
 
-/// A connected piece.
+/// Connected piece.
 struct BodyView {
   BodyId id, parent;   ///< parent: the body that it broke off, invalid for an original
   int scene_body = 0;  ///< index into Scene::bodies of its origin
   int tets = 0;
   double mass = 0;  ///< [kg]
   Vec3 center_of_mass, velocity, angular_velocity;
-  Quat orientation = Quat::Identity();                 ///< from the shape that it had when it came to be
+  Quat orientation = Quat::Identity();                 ///< rotation from its first shape
   std::span<const std::vector<Vec3>> collision_parts;  ///< corners of the convex parts, in the body's own frame [m]
   bool supported = false;                              ///< has nodes held in place
   bool rigid = false;                  ///< moves as a whole: its stress is not computed until something strikes it
   bool asleep = false;                 ///< lies still until something strikes it
-  std::optional<ScaledImpact> scaled;  ///< when its waves took more microsteps than the budget left
-  /// What stood in for the material when it, or a body that it broke off, cracked: the one of the smallest f. Lasts.
+  std::optional<ScaledImpact> scaled;  ///< present if its waves took more microsteps than the budget allowed
+  /// Scaled material in which it, or a body from which it broke off, cracked: the one of the smallest f. Permanent.
   std::optional<ScaledImpact> broke_scaled;
 };
 
-/// What two things did to each other in the last step, near one place.
+/// Contact between two objects near one place in the last step.
 struct ContactView {
   BodyId a, b;                   ///< invalid: a projectile or the ground
   Vec3 position = Vec3::Zero();  ///< [m]
@@ -53,8 +53,8 @@ struct ContactView {
 struct ProjectileView {
   Vec3 position, velocity;
   Quat rotation;
-  double radius = 0, mass = 0;              ///< radius of a sphere, or of the one round it [m], [kg]
-  std::span<const Vec3> corners;            ///< of a convex one, in its own frame [m]; none for a sphere
+  double radius = 0, mass = 0;              ///< radius of a sphere, or of the one around it [m], [kg]
+  std::span<const Vec3> corners;            ///< corners of a convex projectile, in its own frame [m]; none for a sphere
   std::span<const std::vector<int>> faces;  ///< convex polygons of corners, counter-clockwise from outside
 };
 
@@ -63,11 +63,11 @@ struct StepTimings {
   double step = 0, contact = 0, elasticity = 0, explicit_dynamics = 0, separation = 0, fracture = 0;
 };
 
-/// What happened in a step; every limit that was reached and every number that went wrong is counted here.
+/// Report of a step: every limit that was reached and every number that went wrong is counted here.
 struct StepReport {
   int substeps = 1;
-  int microsteps = 0;         ///< of bodies in explicit dynamics
-  double microstep_work = 0;  ///< of microsteps, counted, not timed [ms of a usual core]
+  int microsteps = 0;         ///< number of microsteps of bodies in explicit dynamics
+  double microstep_work = 0;  ///< work of microsteps, counted, not timed [ms of a typical core]
   int contacts = 0;
   double peak_utilization = 0;       ///< highest utilization of any node in any substep
   int impacts = 0;                   ///< bodies that something struck so hard that waves run in them since
@@ -85,7 +85,7 @@ struct StepReport {
   int inverted_tets = 0;
   int unconverged_motions = 0;   ///< deformations of bodies whose nonlinear step did not converge
   int unconverged_contacts = 0;  ///< contacts of elastic bodies that did not meet their law within the tolerance
-  int contact_iterations = 0;    ///< of the linear systems of their impulses, together
+  int contact_iterations = 0;    ///< iterations of the linear systems of their impulses, in total
   int sleeping_bodies = 0;
   int non_finite_values = 0;   ///< bodies frozen because a value was not finite or substeps too short
   double max_penetration = 0;  ///< [m]
@@ -98,21 +98,21 @@ struct Totals {
   Vec3 momentum = Vec3::Zero(), angular_momentum = Vec3::Zero();  ///< about the world's origin
 };
 
-/// What a step hands out: spans over the world's arrays, valid until the next step, and no behaviour.
+/// Result of a step: views of the world's arrays, valid until the next step.
 struct Frame {
   /// Per node of the mesh.
   struct Nodes {
     std::span<const Vec3> rest_positions, positions;  ///< [m]
-    /// Of the nodes that bodies start with, which come first: the index in the mesh of their shape, as built or read.
+    /// Indices in the mesh of their shape, as built or read, of the initial nodes of bodies, which come first.
     std::span<const int> points;
     std::span<const Vec3> velocities;              ///< [m/s]
     std::span<const double> masses;                ///< [kg]
     std::span<const std::uint8_t> has_support;     ///< 1 where a support acts on it
-    std::span<const NodeConstraint> constraints;   ///< what supports leave free
-    std::span<const Vec3> load_forces;             ///< what loads do to it now [N]; empty without loads
+    std::span<const NodeConstraint> constraints;   ///< constraints by supports
+    std::span<const Vec3> load_forces;             ///< present forces of loads on it [N]; empty without loads
     std::span<const std::uint8_t> at_crack_front;  ///< 1 where cut faces end
     std::span<const NodeSeparation> separations;
-    std::span<const Vec3> reactions;            ///< what supports did to it in the last step [N]
+    std::span<const Vec3> reactions;            ///< reactions of supports in the last step [N]
     std::span<const std::vector<TetId>> stars;  ///< its tets, ascending
   };
   /// Per tet of the mesh.
@@ -121,20 +121,20 @@ struct Frame {
     std::span<const std::array<TetId, 4>> neighbors;  ///< behind face i; invalid on the surface
     std::span<const BodyId> bodies;
     std::span<const std::uint8_t> first_surface;    ///< bit i: face i was on the surface at the start
-    std::span<const std::array<double, 4>> opened;  ///< when a crack opened face i [s], else not a number
+    std::span<const std::array<double, 4>> opened;  ///< time at which a crack opened face i [s], else not a number
     std::span<const RestElement> rest_elements;
     std::span<const ElementState> states;
     std::span<const Mat3> stresses;  ///< Cauchy stress, world frame [Pa]; its mean in quadratic tets
-    /// The edges of quadratic tets, as kTetEdges; invalid ids in linear ones; empty: all are.
+    /// Edges of quadratic tets, ordered as kTetEdges; invalid ids for linear ones; empty: all are linear.
     std::span<const std::array<EdgeId, 6>> edges;
-    std::span<const QuadraticState> quadratic_states;  ///< of quadratic tets; empty: there are none
+    std::span<const QuadraticState> quadratic_states;  ///< states of quadratic tets; empty if there are none
   };
   /// Per edge of quadratic tets.
   struct Edges {
     std::span<const std::array<NodeId, 2>> ends;
-    std::span<const Vec3> offsets;  ///< of its middle from the middle of its ends [m]
+    std::span<const Vec3> offsets;  ///< displacement of its midpoint from the middle of its ends [m]
   };
-  /// What is seen instead of tets, where bodies have them.
+  /// Splinters of bodies, drawn instead of tets.
   struct Splinters {
     std::span<const Splinter> splinters;
     std::span<const SplinterPart> parts;      ///< by splinter
@@ -156,7 +156,7 @@ struct Frame {
   std::span<const Material> materials;                  ///< per scene body, as in force now
   std::span<const std::optional<Weakness>> weaknesses;  ///< per scene body: unit direction in the placed rest space
   std::span<const ProjectileView> projectiles;
-  std::span<const ContactView> contacts;     ///< of the last step, those that carried an impulse
+  std::span<const ContactView> contacts;     ///< contacts of the last step with an impulse
   std::span<const CrackEvent> crack_events;  ///< all so far, oldest first
   std::span<const PlacedProbe> probes;       ///< the scene's, to be read with probe_values()
   Totals totals;

@@ -5,7 +5,7 @@
 namespace griffith {
 namespace {
 
-/// The hash of numbers that do not lie side by side, in their order.
+/// Hash of numbers that are not contiguous, in their order.
 class FieldHash {
  public:
   template <class T>
@@ -13,7 +13,7 @@ class FieldHash {
     value_ = hash_values(values, value_);
     return *this;
   }
-  /// Counts, ids and switches.
+  /// Adds counts, ids and flags.
   template <class... Whole>
   FieldHash& add_whole(Whole... values) {
     const std::array<std::int64_t, sizeof...(values)> all = {whole(values)...};
@@ -71,7 +71,7 @@ std::uint64_t hash_of_stresses(const WorldState& world) {
 }
 
 std::uint64_t hash_of_separations(const WorldState& world) {
-  static_assert(sizeof(NodeSeparation) == 16 * sizeof(double), "it has no padding");
+  static_assert(sizeof(NodeSeparation) == 18 * sizeof(double), "it has no padding");
   const NodeArrays& nodes = world.nodes;
   FieldHash hash;
   hash.add(nodes.separations).add(nodes.reactions).add(nodes.strength_factors).add(nodes.has_support);
@@ -85,6 +85,10 @@ std::uint64_t hash_of_cracks(const WorldState& world) {
   hash.add(world.nodes.pushed_at).add(world.nodes.overloads).add_real(world.overload_check);
   hash.add(world.splinter_state.open_walls).add(world.splinter_state.attached);
   hash.add_whole(world.crack_events.size());
+  for (const CohesiveFace& face : world.cohesive_faces) {
+    hash.add_whole(face.face.first, face.face.second);
+    for (const Bond& bond : face.bonds) hash.add_real(bond.force, bond.critical, bond.opening);
+  }
   for (const PostponedCrack& crack : world.postponed)
     hash.add_whole(crack.node).add_real(crack.separation.eigenvalue, crack.separation.utilization);
   return hash.value();
@@ -128,7 +132,7 @@ std::uint64_t hash_of_energy(const WorldState& world) {
   return hash.value();
 }
 
-/// In the order of kStateFields.
+/// Hash functions in the order of kStateFields.
 constexpr std::array<std::uint64_t (*)(const WorldState&), kStateFields.size()> kHashes = {
     [](const WorldState& world) { return hash_with_edges(world.nodes.positions, world.edges.offsets); },
     [](const WorldState& world) { return hash_with_edges(world.nodes.velocities, world.edges.velocities); },

@@ -5,7 +5,7 @@
 
 namespace griffith {
 
-/// The hashes of a world between two steps. Costs a few hundred bytes of reading for each node and tet.
+/// Returns the hashes of a world between two steps. Reads a few hundred bytes per node and tet.
 StateHashes hash_state(const WorldState& world);
 
 }  // namespace griffith

@@ -18,7 +18,7 @@ void append_entry(std::vector<T>& array, std::size_t original) {
   array.push_back(T(array[original]));  // the entry moves while the array grows
 }
 
-/// Size of one entry of all arrays [bytes].
+/// Returns the size of one entry of all arrays [bytes].
 template <class Arrays>
 std::size_t entry_size() {
   std::size_t size = 0;
@@ -26,7 +26,7 @@ std::size_t entry_size() {
   return size;
 }
 
-/// Those of new tets are zero.
+/// Makes strains, which are zero for new tets.
 void make_strains(ElementArrays& elements) {
   elements.plastic_strains.resize(elements.states.size(), Mat3::Zero());
   elements.similarity_strains.resize(elements.states.size(), Mat3::Zero());

@@ -15,7 +15,7 @@
 
 namespace griffith {
 
-/// Overload of a node as the checks in microsteps have found it. −∞: never.
+/// Times of a node's overload in the checks of microsteps. −∞: never.
 struct OverloadHistory {
   static constexpr double kNever = -std::numeric_limits<double>::infinity();
   double known_from = kNever;  ///< a crack beside it changes its stress until then [s]
@@ -23,29 +23,28 @@ struct OverloadHistory {
   double last = kNever;        ///< last check that found it overloaded [s]
 };
 
-/// What moves, per node. Each array stands in each_array(), by which nodes are added.
+/// State of nodes. Each array has an entry in each_array(), through which nodes are added.
 struct NodeArrays {
   std::vector<Vec3> positions, velocities;   ///< [m], [m/s]
   std::vector<double> masses;                ///< lumped: a quarter of each tet of the star [kg]
-  std::vector<NodeConstraint> constraints;   ///< what supports leave free
+  std::vector<NodeConstraint> constraints;   ///< constraints by supports
   std::vector<std::uint8_t> has_support;     ///< 1 where a support acts on the node
   std::vector<std::uint8_t> at_crack_front;  ///< 1 where cut faces end
-  std::vector<double> strength_factors;      ///< what flaws leave of the strength [-]; 1 without scatter
+  std::vector<double> strength_factors;      ///< factors of flaws on the strength [-]; 1 without scatter
   std::vector<int> rows;                     ///< row in the system of the node's body, -1 for held ones
   std::vector<NodeSeparation> separations;
-  std::vector<Vec3> reactions;  ///< what supports did to the node in the last step [N]
-  std::vector<Vec3>
-      similarity_starts;  ///< of bodies in explicit dynamics with f < 1: displacement from rest at its start [m]
-  std::vector<double> pushed_at;  ///< when something pushed it hard in explicit dynamics last [s]; −∞: never
+  std::vector<Vec3> reactions;          ///< reactions of supports in the last step [N]
+  std::vector<Vec3> similarity_starts;  ///< initial displacement from rest, of bodies in explicit dynamics with f < 1
+  std::vector<double> pushed_at;  ///< time of the last impulse at speed on it in explicit dynamics [s]; −∞: never
   std::vector<OverloadHistory> overloads;
 
   /// Makes room for as many nodes; new ones are at the origin, at rest and without mass.
   void resize(std::size_t count);
-  /// A node that starts as another one is: where it is held, at the crack front or in a system is for others to say.
+  /// Appends a node like another one. Its constraints, its place at the crack front and its row are set by others.
   void append_copy(NodeId original);
-  /// The node on an edge that was bisected.
+  /// Appends the node on an edge that was bisected.
   void append_between(const EdgeNode& node);
-  /// Size of the arrays [bytes].
+  /// Returns the size of the arrays [bytes].
   std::size_t memory() const;
 
   /// Calls use(all.array, what a new node has there) for every array of `all`.
@@ -60,26 +59,26 @@ struct NodeArrays {
   }
 };
 
-/// What moves beside the nodes, per edge of quadratic bodies (TetEdges).
+/// State of the edges of quadratic bodies besides that of nodes (TetEdges).
 struct EdgeArrays {
-  std::vector<Vec3> offsets, velocities;  ///< of an edge's middle from the middle of its ends [m], [m/s]
-  std::vector<double> masses;             ///< that of the tets round it: see edge_mass() [kg]
+  std::vector<Vec3> offsets, velocities;  ///< displacement of the midpoint, its rate [m], [m/s]
+  std::vector<double> masses;             ///< mass of the tets around it: see edge_mass() [kg]
   std::vector<int> rows;                  ///< row in the system of the edge's body, -1 for held ones
 
   /// Makes room for as many edges; new ones are straight, at rest and without mass.
   void resize(std::size_t count);
-  /// An edge that starts as another one is.
+  /// Appends an edge like another one.
   void append_copy(EdgeId original);
-  /// Size of the arrays [bytes].
+  /// Returns the size of the arrays [bytes].
   std::size_t memory() const { return offsets.size() * (2 * sizeof(Vec3) + sizeof(double) + sizeof(int)); }
 };
 
-/// When each face of a tet was opened by a crack [s]; not a number: never.
+/// Times at which a crack opened each face of a tet [s]; not a number: never.
 using OpenedFaces = std::array<double, 4>;
 constexpr double kNeverOpened = std::numeric_limits<double>::quiet_NaN();
 
-/// Per tet; the rest elements change by remeshing alone. Each array but the strains' stands in each_array(), by which
-/// tets are added.
+/// State of tets. Rest elements change only by remeshing. Each array except those of strains has an entry in
+/// each_array(), through which tets are added.
 struct ElementArrays {
   SharedArray<RestElement> rest_elements;
   SharedArray<ElementState> states;
@@ -88,25 +87,25 @@ struct ElementArrays {
   SharedArray<std::uint8_t> first_surface;  ///< bit i: face i was on the surface before anything broke
   SharedArray<OpenedFaces> opened;
 
-  SharedArray<QuadraticState> quadratic_states;  ///< of quadratic tets; empty while there are none
+  SharedArray<QuadraticState> quadratic_states;  ///< states of quadratic tets; empty if there are none
 
-  /// Strains without stress; empty until allow_strains(): in what only sways or lies they would all be zero.
+  /// Strains without stress; empty until allow_strains(): in most bodies they would all be zero.
   std::vector<Mat3> plastic_strains;     ///< in rest space, traceless [-]
-  std::vector<Mat3> similarity_strains;  ///< of bodies in explicit dynamics, beside the plastic one [-]
+  std::vector<Mat3> similarity_strains;  ///< scaled bodies' strain beside the plastic one [-]
 
   /// Makes room for strains: before a body enters explicit dynamics, or where a material yields.
   void allow_strains();
   Mat3 plastic_strain(TetId tet) const { return plastic_strains.empty() ? Mat3(Mat3::Zero()) : plastic_strains[tet]; }
-  /// The strain of an element without stress: plastic, and that which scaling made so [-].
+  /// Returns the strain of an element without stress: the plastic strain and that of scaling [-].
   Mat3 stress_free_strain(TetId tet) const {
     return plastic_strains.empty() ? Mat3(Mat3::Zero()) : Mat3(plastic_strains[tet] + similarity_strains[tet]);
   }
 
   /// Makes room for as many tets; new ones have no stress and belong to no body.
   void resize(std::size_t count);
-  /// A tet that starts as another one is.
+  /// Appends a tet like another one.
   void append_copy(TetId original);
-  /// Size of the arrays, but for those that are shared with `beside` [bytes].
+  /// Returns the size of the arrays, without those shared with `beside` [bytes].
   std::size_t memory(const ElementArrays* beside = nullptr) const;
 
   template <class Arrays, class Use>

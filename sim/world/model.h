@@ -12,18 +12,18 @@
 
 namespace griffith {
 
-/// What never changes once a world is built. Its copies share it.
+/// Constant data of a world. Its copies share it.
 struct Model {
   Scene scene;
   std::vector<ElementChoice> element_choices;  ///< per scene body
   std::vector<double> min_edges;               ///< per scene body: shortest edge that remeshing makes [m]
-  std::vector<double> extents;  ///< per scene body: longest edge of the box round its largest piece at rest [m]
+  std::vector<double> extents;  ///< per scene body: longest edge of the box around its largest piece at rest [m]
   std::vector<std::optional<Weakness>> weaknesses;  ///< per scene body, direction in the placed rest space, unit length
   std::vector<std::shared_ptr<const TetSoup>> filled_surfaces;  ///< per scene body, as made; null for other shapes
   std::vector<int> points;  ///< per node that bodies start with: its index in the mesh of their shape, as built or read
   SplinterSet splinters;
   std::vector<std::vector<HullCorner>> splinter_hulls;  ///< per splinter; empty where they are not what touches
-  std::vector<InputError> findings;  ///< what the user should know about the scene; nothing that keeps it from running
+  std::vector<InputError> findings;  ///< problems of the scene for the user that do not keep it from running
 };
 
 }  // namespace griffith

@@ -25,7 +25,7 @@ ElementContribution contribution_of(const Frame& frame, const SeparationInput& i
   return element;
 }
 
-/// What the sums of all forces add to v⁺ [N].
+/// Returns the contribution of the sums of all forces to v⁺ [N].
 double balance_of(const NodeReport& report) {
   SplitForce total;
   for (const ElementContribution& element : report.elements) {

@@ -14,7 +14,7 @@ BodyView view_of(const Body& body) {
           body.asleep,      body.scaled,          body.broke_scaled};
 }
 
-/// Whether a sleeper lies where its view of the last step has it.
+/// True if a sleeper is at the place of its view of the last step.
 bool still_shows(const BodyView& view, const Body& body) {
   return body.asleep && view.asleep && view.center_of_mass == body.motion.center &&
          view.orientation.coeffs() == body.orientation.coeffs() && !view.scaled && !body.scaled &&

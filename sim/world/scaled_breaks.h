@@ -6,14 +6,14 @@
 
 namespace griffith {
 
-/// What of a scene body broke while it was scaled (BodyView::broke_scaled).
+/// Part of a scene body that broke while it was scaled (BodyView::broke_scaled).
 struct ScaledBreak {
   int scene_body = 0;
-  int pieces = 0;      ///< that cracked so, or broke off what did
-  ScaledImpact least;  ///< of the smallest f
+  int pieces = 0;      ///< number of pieces that cracked while scaled, or broke off one that did
+  ScaledImpact least;  ///< record with the smallest f
 };
 
-/// By scene body, those that broke so alone.
+/// Returns, by scene body, only those that broke while scaled.
 std::vector<ScaledBreak> scaled_breaks(const Frame& frame);
 
 }  // namespace griffith

@@ -21,7 +21,7 @@ inline constexpr std::array<std::string_view, 10> kStateFields = {"positions",  
                                                                   "separations", "cracks",     "bodies", "projectiles",
                                                                   "contacts",    "energy"};
 
-/// One hash for each of kStateFields: the same bits, the same hash.
+/// Hashes for each of kStateFields: equal bits have equal hashes.
 using StateHashes = std::array<std::uint64_t, kStateFields.size()>;
 
 }  // namespace griffith

@@ -28,7 +28,7 @@
 namespace griffith {
 namespace {
 
-/// Adds the milliseconds of its own life to a phase; for display alone.
+/// Adds the milliseconds of its lifetime to a phase; for display only.
 class PhaseTimer {
  public:
   explicit PhaseTimer(double& milliseconds) : milliseconds_(milliseconds), start_(Clock::now()) {}
@@ -40,7 +40,7 @@ class PhaseTimer {
   Clock::time_point start_;
 };
 
-/// Separation and fracture under the stresses there are after a substep of this length [s].
+/// Finds separation and fracture under the stresses after a substep of this length [s].
 void fracture(WorldState& world, double substep) {
   {
     PhaseTimer timer(world.report.milliseconds.separation);
@@ -51,7 +51,7 @@ void fracture(WorldState& world, double substep) {
   open_cracks(world, substep);
 }
 
-/// Contacts and motion of everything but the bodies in explicit dynamics.
+/// Computes contacts and motion of all objects except the bodies in explicit dynamics.
 void move(WorldState& world, double dt) {
   StepTimings& timings = world.report.milliseconds;
   update_supports(world, world.time, dt);
@@ -83,7 +83,7 @@ void take_substep(WorldState& world, double dt) {
   fracture(world, dt);
 }
 
-/// In equal substeps; where cracks or cuts leave smaller elements, what is left of the step goes on in shorter ones.
+/// Makes equal substeps; if cracks or cuts leave smaller elements, the rest of the step continues in shorter ones.
 void step_explicitly(WorldState& world, double time_step) {
   constexpr double kRounding = 1e-9;
   world.report.substeps = 0;
@@ -97,7 +97,7 @@ void step_explicitly(WorldState& world, double time_step) {
   update_sleep(world, time_step);
 }
 
-/// Up to the next impact, and on: waves and the pace of cracks are not followed.
+/// Makes a substep up to the next impact, and another one: waves and the speed of cracks are not followed.
 void step_implicitly(WorldState& world, double time_step) {
   const double impact = time_before(expected_impacts(world, time_step), time_step), tolerance = impact_tolerance(world);
   const bool is_cut = impact >= tolerance && time_step - impact >= tolerance;
@@ -129,7 +129,7 @@ bool move_along(WorldState& world, double substep, double max_work) {
 }
 
 /// Moves everything on by `substep` [s]. Where that takes more than half of the work that is left for microsteps in
-/// this step, all is as it was before, but for what is known of their cost: impacts and cracks make it hard to foresee.
+/// this step, restores the state before except for the measured cost: impacts and cracks make it hard to predict.
 bool move_within_ceiling(WorldState& world, double substep) {
   constexpr double kUncertainty = 16;  // contacts, checks and cracks may take so many times what was expected
   const double max_work = 0.5 * work_left(world);
@@ -145,9 +145,9 @@ bool move_within_ceiling(WorldState& world, double substep) {
   return false;
 }
 
-/// In substeps: up to the next impact, and while waves run in what was struck or cracks. Bodies in explicit dynamics
-/// take microsteps through a substep, all else one implicit substep, after which what is too soft for microsteps
-/// cracks.
+/// Makes substeps: up to the next impact, and while waves run in bodies that were hit or crack. Bodies in explicit
+/// dynamics take microsteps through a substep, all else one implicit substep, after which what is too soft for
+/// microsteps cracks.
 void step_in_substeps(WorldState& world, double time_step) {
   constexpr double kRounding = 1e-9;
   world.report.substeps = 0;
@@ -189,7 +189,7 @@ bool stays_in_equilibrium(const WorldState& world, double time, double time_step
                              [](const NodeConstraint& held) { return held.velocity.isZero(0); });
 }
 
-/// Goes, without inertia, from one equilibrium to the next, as loads and supports move on. Each crack changes the
+/// Finds one equilibrium after the other, without inertia, as loads and supports change. Each crack changes the
 /// balance, so it is found again until nothing more cracks or the budget ends.
 void step_statically(WorldState& world, double time_step) {
   const int budget = world.model->scene.simulation.impact_substeps;
@@ -214,7 +214,7 @@ void step_statically(WorldState& world, double time_step) {
   world.in_equilibrium = world.report.unconverged_solves == 0 && world.report.cracks_postponed == 0;
 }
 
-/// Whether a step would move nothing: all lie asleep, as the contact world saw in the last step.
+/// True if a step would move nothing: all are asleep, according to the contact world in the last step.
 bool all_lie_asleep(const WorldState& world) {
   return world.loads.empty() && world.postponed.empty() && world.contact_world.contacts().empty() &&
          std::ranges::all_of(world.bodies, &Body::asleep) &&

@@ -4,7 +4,7 @@
 
 namespace griffith {
 
-/// A whole step.
+/// Makes a step.
 void advance(WorldState& world);
 
 }  // namespace griffith

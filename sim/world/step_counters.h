@@ -8,24 +8,24 @@
 
 namespace griffith {
 
-/// How a counter of many steps is told: as their sum, or as the largest of them.
+/// Total of a counter over many steps: their sum, or the largest of them.
 enum class CounterTotal { sum, largest };
 
-/// What a counter above 0 tells of the run.
+/// Meaning of a counter above 0.
 enum class CounterConcern { none, warning, error };
 
-/// A number of a step that statistics and the editor show.
+/// Number of a step that statistics and the editor show.
 struct StepCounter {
   std::string_view key;      ///< as in files: "cracks_postponed"
   std::string_view label;    ///< for a person: "Cracks postponed"
-  std::string_view unit;     ///< of a number that counts nothing: "m", "-" for a ratio; else empty
+  std::string_view unit;     ///< "m", "-" for a ratio; empty for a count
   std::string_view meaning;  ///< what it counts, and a remedy; all texts end with a zero
   CounterTotal total;
   CounterConcern concern;
   std::variant<int StepReport::*, double StepReport::*> value;
 };
 
-/// All counters, in the order in which tables show them. A new one is a line here and in StepReport.
+/// Returns all counters, in the order of tables. A new one is a line here and in StepReport.
 std::span<const StepCounter> step_counters();
 
 /// Takes a step into the report of many.

@@ -37,7 +37,7 @@ void change_bodies(WorldState& world, int scene_body) {
   }
 }
 
-/// Whether two materials differ in what resists cracks alone: nothing moves otherwise for it.
+/// True if two materials differ only in their resistance to cracks, so that motion is unchanged.
 bool differ_in_resistance_alone(Material a, const Material& b) {
   a.tensile_strength = b.tensile_strength;
   a.fracture_toughness = b.fracture_toughness;
@@ -51,7 +51,7 @@ void change_resistance(WorldState& world, int scene_body) {
       world.contact_world.set_impact_speed(body.proxy, harmful_impact_speed(world, body));
 }
 
-/// Before the first step: the undeformed shape again, from which the static start is found.
+/// Restores the undeformed shape before the first step, from which the static start is found.
 void restore_start(WorldState& world, int scene_body) {
   for (const Body& body : world.bodies) {
     if (body.scene_body != scene_body) continue;
@@ -64,7 +64,8 @@ void restore_start(WorldState& world, int scene_body) {
   }
 }
 
-/// Under the material that is in force now; what was put off is forgotten, since another would have to open.
+/// Evaluates separation again under the present material. Postponed cracks are dropped, since others would have to
+/// open.
 void reevaluate_separation(WorldState& world, int scene_body) {
   std::erase_if(world.postponed,
                 [&](const PostponedCrack& crack) { return body_at(world, crack.node).scene_body == scene_body; });
@@ -72,7 +73,7 @@ void reevaluate_separation(WorldState& world, int scene_body) {
     if (body.scene_body == scene_body) evaluate_separation(world, body);
 }
 
-/// With its stars [bytes].
+/// Returns the memory of a mesh and its stars [bytes].
 std::size_t mesh_memory(const TetMesh& mesh) {
   return mesh.rest_positions.size() * (sizeof(Vec3) + sizeof(std::vector<TetId>)) +
          mesh.tets.size() * 12 * sizeof(TetId);
@@ -85,7 +86,7 @@ World::World(const Scene& scene, const InMemoryMeshes& meshes, const Monitor& mo
     : impl_(std::make_unique<Impl>(build_world(scene, monitor, meshes))) {}
 World::~World() = default;
 World::World(const World& other) : impl_(std::make_unique<Impl>(*other.impl_)) {
-  WorldState& world = impl_->state;  // views look at what belongs to the bodies of this world
+  WorldState& world = impl_->state;  // views refer to data of the bodies of this world
   for (BodyView& view : world.body_views) view.collision_parts = world.bodies[view.id].collision_parts;
 }
 World& World::operator=(const World& other) { return *this = World(other); }

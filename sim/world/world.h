@@ -12,12 +12,12 @@
 
 namespace griffith {
 
-/// A scene in motion. Results depend on the scene, the shots and edits, and the number of steps alone: never on the
-/// clock, the number of threads or the frame rate.
+/// Scene in motion. Results depend only on the scene, the shots and edits, and the number of steps: never on the clock,
+/// the number of threads or the frame rate.
 class World {
  public:
-  /// Builds meshes and set-up. Throws InputError when a mesh or a value of the scene is unusable, Cancelled when the
-  /// monitor, which is told of work that may last, says so.
+  /// Builds meshes and setup. Throws InputError if a mesh or a value of the scene is unusable, and Cancelled if the
+  /// monitor, to which long work is reported, requests it.
   explicit World(const Scene& scene, const Monitor& monitor = {});
   /// Builds it with meshes from memory in place of those files.
   World(const Scene& scene, const InMemoryMeshes& meshes, const Monitor& monitor = {});
@@ -31,32 +31,32 @@ class World {
 
   /// Advances by the scene's time step.
   void step();
-  /// A read-only view, valid until the next call that changes the world.
+  /// Returns a read-only view, valid until the next call that changes the world.
   Frame frame() const;
-  /// What the user should know about the scene although it runs: supports, loads and probes that hold nothing, oddities
-  /// of mesh files. `where` is a JSON pointer, "#/bodies/0/loads/1/region".
+  /// Returns problems of a scene that still runs: supports, loads and probes that hold nothing, oddities of mesh files.
+  /// `where` is a JSON pointer, "#/bodies/0/loads/1/region".
   const std::vector<InputError>& findings() const;
 
   /// Launches `burst`, its start counted from now. Throws InputError for a shape whose file cannot be used. Returns
   /// what fires the same again, without that file.
   ProjectileBurst fire(const ProjectileBurst& burst);
-  /// Gives the pieces of Scene::bodies[scene_body] other elastic and fracture properties while running. Density takes
-  /// effect as well: velocities stay, momentum changes with the mass. Before the first step the body starts as if made
-  /// of the material: supported, in the equilibrium of it. Throws InputError, with nothing changed, for a material with
-  /// which explicit integration would take too many substeps.
+  /// Sets elastic and fracture properties of the pieces of Scene::bodies[scene_body] while running. Density takes
+  /// effect as well: velocities are kept, momentum changes with the mass. Before the first step the body starts as if
+  /// made of the material: supported bodies in its equilibrium. Throws InputError, and changes nothing, for a material
+  /// with which explicit integration would take too many substeps.
   void set_material(int scene_body, const Material& material);
 
-  /// What it takes, but for what it shares with `beside`, a world with the same past, about [bytes].
+  /// Returns its memory, without that shared with `beside`, a world with the same past, approximately [bytes].
   std::size_t memory(const World* beside = nullptr) const;
 
-  /// A hash of all positions, velocities and topology: the same bits, the same hash.
+  /// Returns a hash of all positions, velocities and topology: equal bits have equal hashes.
   std::uint64_t state_hash() const;
   /// Hashes of all that is kept from step to step, by kind.
   StateHashes state_hashes() const;
 
-  /// What it was built from.
+  /// Returns the scene from which it was built.
   const Scene& scene() const;
-  /// The tets that filled the surface of a scene body, as they were made [m]; null for other shapes.
+  /// Returns the original tets that filled the surface of a scene body [m]; null for other shapes.
   const TetSoup* filled_surface(int scene_body) const;
 
  private:

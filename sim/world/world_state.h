@@ -11,6 +11,7 @@
 #include "sim/core/copy_on_write.h"
 #include "sim/core/error.h"
 #include "sim/elasticity/element.h"
+#include "sim/fracture/cohesion.h"
 #include "sim/fracture/node_load_sums.h"
 #include "sim/geometry/convex_hull.h"
 #include "sim/mesh/topology.h"
@@ -28,37 +29,37 @@
 
 namespace griffith {
 
-/// A body whose waves are resolved by microsteps (explicit_run.h).
+/// State of a body whose waves are followed by microsteps (explicit_run.h).
 struct ExplicitState {
-  double last_event = 0;    ///< when something struck it hard or cracked in it last [s]
-  double impact_speed = 0;  ///< of what struck it [m/s]
+  double last_event = 0;    ///< time of its last impact or crack [s]
+  double impact_speed = 0;  ///< speed of the impact on it [m/s]
   double frequency = 0;     ///< highest of its elements under the full stiffness, slivers relieved [rad/s]
   double similarity = 1;    ///< f (similarity.h), 0..1
-  int group = 0;            ///< those of one group are followed together; 0: in the substeps that all share
+  int group = 0;            ///< bodies of one group are followed together; 0: in the shared substeps
 };
 
-/// What another object did to a body in a substep.
+/// Load of another object on a body in a substep.
 struct ContactLoad {
   ProxyId other;
   Vec3 force = Vec3::Zero();  ///< [N]
 };
 
-/// For how long a swaying body has been at rest, and how it was when that began.
+/// Duration of rest of a deformable body, and its state at the beginning.
 struct Rest {
   double time = 0;              ///< [s]
-  Pose place;                   ///< of its center of mass
-  double peak_utilization = 0;  ///< of its nodes
+  Pose place;                   ///< place of its center of mass
+  double peak_utilization = 0;  ///< largest utilization of its nodes
 };
 
-/// How a rigid body began a substep, and what acted on it.
+/// State of a rigid body at the start of a substep, and the external loads on it.
 struct RigidStart {
   Vec3 velocity = Vec3::Zero(), angular_velocity = Vec3::Zero();
   Vec3 force = Vec3::Zero(), torque = Vec3::Zero();  ///< external, gravity too [N], [N·m]
-  bool rigid = false;                                ///< what is elastic now was woken by contacts
+  bool rigid = false;                                ///< true if contacts made it elastic in the substep
   bool falls = false;                                ///< gravity acted on it: what sleeps at first is not moved by it
 };
 
-/// A connected piece of elastic material and its proxy in the contact world.
+/// Connected piece of elastic material and its proxy in the contact world.
 struct alignas(64) Body {
   // What a step asks of every body, awake or not, in one line of the cache.
   std::optional<ExplicitState> explicit_state;
@@ -71,58 +72,59 @@ struct alignas(64) Body {
   bool asleep = false;        ///< lies still, under whatever stress there is, until something disturbs it
 
   RigidMotion motion;                   ///< mass, momentum and inertia of the nodes now
-  Quat orientation = Quat::Identity();  ///< from the reference shape to now
+  Quat orientation = Quat::Identity();  ///< rotation from the reference shape
   int scene_body = 0;
   std::vector<TetId> tets;    ///< ascending
   std::vector<NodeId> nodes;  ///< ascending, held ones too
   std::vector<SurfaceFace> surface;
-  NodeVectors reference_arms;     ///< nodes relative to the center of mass when the shape was made [m]
+  NodeVectors reference_arms;     ///< nodes relative to the center of mass in the last shape made [m]
   std::vector<EdgeId> edges;      ///< ascending; none of a body with linear tets
-  NodeVectors reference_offsets;  ///< of `edges`, when it was made rigid [m]
+  NodeVectors reference_offsets;  ///< offsets of `edges` when it was made rigid [m]
   Boxed<ElasticSystem> system;
-  std::vector<ConvexPart> collision_parts;       ///< of the proxy, for the frame [m]
-  double highest_frequency = 0;                  ///< [rad/s]; 0 until explicit integration asks for it
-  double element_size = 0;                       ///< edge length of the cubes that six of its tets would fill, mean [m]
-  double extent = 0;                             ///< longest edge of the box round it at rest [m]
-  double weakest_fraction = 1;                   ///< of its material's resistance, at its weakest node and plane [-]
-  std::optional<ScaledImpact> scaled;            ///< of the last step, if any
-  double energy = 0;                             ///< kinetic and elastic, when the substep began [J]
-  double contact_work = 0;                       ///< of the contacts in the substep, at the velocities after it [J]
-  RigidStart start;                              ///< of the present substep
-  std::vector<ContactLoad> known_contact_loads;  ///< of a rigid body: what it carried when it was calm, by object
-  Rest rest;                                     ///< of one that sways
-  double explicit_ended = -std::numeric_limits<double>::infinity();  ///< when it left explicit dynamics [s]
+  std::vector<ConvexPart> collision_parts;  ///< convex parts of the proxy, for the frame [m]
+  double highest_frequency = 0;             ///< [rad/s]; 0 until explicit integration asks for it
+  double element_size = 0;                  ///< edge length of the cubes that six of its tets would fill, mean [m]
+  double extent = 0;                        ///< longest edge of the box around it at rest [m]
+  double weakest_fraction = 1;              ///< fraction of its material's resistance at its weakest node and plane [-]
+  std::optional<ScaledImpact> scaled;       ///< record of the last step, if any
+  double energy = 0;                        ///< kinetic and elastic, when the substep began [J]
+  double contact_work = 0;                  ///< work of the contacts in the substep, at the velocities after it [J]
+  RigidStart start;                         ///< start of the present substep
+  std::vector<ContactLoad> known_contact_loads;  ///< loads on a rigid body when it was found quiescent, by object
+  Rest rest;                                     ///< rest of a deformable body
+  double explicit_ended =
+      -std::numeric_limits<double>::infinity();  ///< time at which it last left explicit dynamics [s]
 
-  /// As BodyView::broke_scaled: decides nothing, so that it is not hashed.
+  /// Same as BodyView::broke_scaled: decides nothing, so it is not hashed.
   std::optional<ScaledImpact> broke_scaled;
 
   bool supported() const { return !system->is_free(); }
-  /// Whether the implicit step moves it.
+  /// True if the step without microsteps deforms it.
   bool is_deformable() const { return !rigid && !explicit_state && !asleep; }
 };
 
 struct Projectile {
   ProxyId object;
-  double radius = 0, mass = 0;             ///< radius of the sphere round it [m], [kg]
+  double radius = 0, mass = 0;             ///< radius of the sphere around it [m], [kg]
   std::shared_ptr<const ConvexHull> hull;  ///< in its own frame, for all of a burst; null for a sphere
   Mat3 inertia = Mat3::Zero();             ///< in its own frame [kg·m²]
   SurfaceProperties surface;
 };
 
-/// A shot that has not left yet.
+/// Shot that has not been fired yet.
 struct PendingShot {
   double time = 0;  ///< [s]
   ProjectileBurst burst;
   Projectile projectile;  ///< without an object yet
 };
 
-/// An overloaded node that the budget left whole, as it was then.
+/// Overloaded node that the budget left whole, with its separation at that time.
 struct PostponedCrack {
   NodeId node;
   NodeSeparation separation;
 };
 
-/// What moved how when a substep began, for the energy account.
+/// Velocities and places at the start of a substep, for the energy account.
 struct SubstepStart {
   std::vector<Vec3> velocities;                               ///< per node [m/s]
   std::vector<Vec3> solved_velocities;                        ///< per node, after contacts and before bodies move [m/s]
@@ -130,10 +132,10 @@ struct SubstepStart {
   std::vector<RigidState> projectiles;                        ///< per projectile
 };
 
-/// What a step needs and nobody keeps.
+/// Temporary data of a step.
 struct Scratch {
   SubstepStart substep_start;
-  double microstep_work = 0;                   ///< of the step so far, in microseconds of a usual core
+  double microstep_work = 0;                   ///< work of the step so far, in microseconds of a typical core
   std::vector<NodeLoadSums> node_load_sums;    ///< per node: what separation follows from
   std::vector<simd::WideQuad> elastic_forces;  ///< per node, in the first three lanes [N]
   std::vector<Vec3> edge_forces;               ///< per edge [N]
@@ -147,7 +149,7 @@ struct Scratch {
   Scratch& operator=(const Scratch&) { return *this = Scratch(); }
 };
 
-/// A world between two steps, as a value: a copy goes on as the original does, to the bit.
+/// State of a world between two steps, a value: a copy continues with the same bits as the original.
 struct WorldState {
   explicit WorldState(std::shared_ptr<const Model> set_up)
       : model(std::move(set_up)), contact_world(model->scene.gravity) {}
@@ -160,7 +162,7 @@ struct WorldState {
   CopyOnWrite<TetMesh> mesh;
   NodeArrays nodes;
   ElementArrays elements;
-  CopyOnWrite<TetEdges> tet_edges;  ///< of quadratic bodies
+  CopyOnWrite<TetEdges> tet_edges;  ///< edges of quadratic bodies
   EdgeArrays edges;
   SplinterState splinter_state;
   std::vector<Body> bodies;  ///< by BodyId; never removed
@@ -173,6 +175,7 @@ struct WorldState {
   double time = 0;  ///< [s]
   std::vector<CrackEvent> crack_events;
   std::vector<PostponedCrack> postponed;
+  std::vector<CohesiveFace> cohesive_faces;  ///< cohesive faces of bodies in explicit dynamics, for full stiffness
   StepReport report;
   std::vector<BodyView> body_views;
   std::vector<ProjectileView> projectile_views;
@@ -183,12 +186,12 @@ struct WorldState {
   double last_microstep_work = 0;       ///< Scratch::microstep_work of the last step
   double explicit_overhead = 1;  ///< work of the last substep's explicit dynamics over that of its elements alone [-]
   bool in_equilibrium = false;   ///< static analysis: the last step found it, and nothing was left to crack
-  double overload_check = OverloadHistory::kNever;  ///< when microsteps checked for overload last [s]
-  double potential_at_start = 0;                    ///< of gravity, with what was launched since [J]
+  double overload_check = OverloadHistory::kNever;  ///< time of the last check for overload in microsteps [s]
+  double potential_at_start = 0;  ///< potential energy of gravity, including objects launched since [J]
   Scratch scratch;
 
   bool integrates_explicitly() const { return model->scene.simulation.integrator == Integrator::explicit_; }
-  /// Whose proxy this is; invalid for projectiles and the ground.
+  /// Returns the body of a proxy; invalid for projectiles and the ground.
   BodyId body_of(ProxyId proxy) const {
     const auto index = static_cast<std::size_t>(proxy.index());
     return index < body_of_proxy.size() ? body_of_proxy[index] : BodyId();

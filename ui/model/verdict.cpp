@@ -55,6 +55,16 @@ std::string about_to_crack(const ComingCrack& coming, const Frame& frame, const 
   return text;
 }
 
+/// Explains what holds a crack that ends at a node.
+std::string of_crack_front(const NodeSeparation& separation) {
+  if (!std::isfinite(separation.fracture_energy)) return "A crack ends here.";
+  const double released = separation.energy_release / separation.fracture_energy;
+  const bool by_energy = std::sqrt(released) >= separation.utilization;
+  return "A crack ends here. To advance it would release " + format_quantity(separation.energy_release, "J/m²", 3) +
+         " of the " + format_quantity(separation.fracture_energy, "J/m²", 3) +
+         " that it takes: " + (by_energy ? "energy decides." : "the strength decides.");
+}
+
 /// Describes the load on existing material. `whole`: the node has not cracked before.
 std::string under_load(const NodeState& state, const NodeReport& report, const Frame& frame, bool fracture) {
   const Material& material = frame.materials[frame.bodies[report.body].scene_body];
@@ -76,7 +86,7 @@ std::string under_load(const NodeState& state, const NodeReport& report, const F
   }
   std::string text = what + ": the load of " + format_quantity(load_of(separation, material), load_unit(material), 3) +
                      " is " + share + " of the resistance.";
-  if (report.at_crack_front) text += " A crack ends here, so the fracture toughness counts.";
+  if (report.at_crack_front) text += " " + of_crack_front(separation);
   if (separation.eigenvalue <= 0 && separation.utilization <= 0)
     text += " There is no tension: the elements compress the node.";
   return text;

@@ -42,7 +42,8 @@ struct PairForce {
   }
 };
 
-/// Normal forces of contacts, one each, with the force and torque given as nearly as they can, the least that do [N].
+/// Returns normal forces of contacts, one each, that best approximate the given force and torque; the smallest ones of
+/// these [N].
 Eigen::VectorXd normal_forces(std::span<const Contact> contacts, const PairForce& carried) {
   const auto count = static_cast<Eigen::Index>(contacts.size());
   double extent = 0;
@@ -60,8 +61,8 @@ Eigen::VectorXd normal_forces(std::span<const Contact> contacts, const PairForce
 
 }  // namespace
 
-/// Hands what the owner's contacts of a pair carried in the last substep on to its points, where it has no such
-/// contacts any more and its points carried nothing: a body that turns rigid goes on resting as it did.
+/// Passes the forces of the owner's contacts of a pair in the last substep on to its points, if the pair has no such
+/// contacts any more and its points carried nothing: a body that becomes rigid stays at rest.
 void ContactWorld::Impl::inherit_forces() {
   if (past_node_contacts.empty()) return;
   const auto pair_of = [](const auto& contact) { return std::minmax({contact.a, contact.b}); };

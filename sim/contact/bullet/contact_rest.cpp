@@ -9,11 +9,11 @@ using namespace contact;
 
 namespace {
 
-/// No point of a still object leaves its place by more than this share of the radius.
+/// Largest displacement of a point of a still object as a fraction of the radius.
 constexpr double kStillFraction = 0.01;
-/// A share of the speed of a fall from the object's own height does not disturb sleepers.
+/// Fraction of the speed of a fall from the object's own height that does not disturb sleepers.
 constexpr double kQuietFraction = 0.04;
-/// How a rigid object answers torques, where it does [1/(kg·m²)].
+/// Returns the response of a rigid object's spin to torques [1/(kg·m²)]; zero if it does not rotate freely.
 Mat3 spin_mobility(const Object& object) {
   if (!object.moves() || object.elastic) return Mat3::Zero();
   const Mat3 rotation = object.state.pose.rotation.toRotationMatrix();
@@ -38,7 +38,7 @@ double ContactWorld::Impl::quiet_speed(const Object& object) const {
   return kQuietFraction * std::sqrt(gravity.norm() * object.shape.radius);
 }
 
-/// What rolls or rocks loses spin to each contact, and to friction, which follows, speed.
+/// Reduces the spin of rolling or rocking objects by each contact; through friction, their speed follows.
 void ContactWorld::Impl::resist_rolling() {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact& contact = contacts[i];
@@ -67,9 +67,9 @@ void ContactWorld::Impl::resist_rolling(const Contact& contact, double limit) {
   b.state.angular_velocity += spin_mobility(b) * impulse;
 }
 
-/// What lies still for long enough among neighbors that do so too sleeps.
+/// Puts objects to sleep that have been still for long enough, like all their neighbors.
 void ContactWorld::Impl::fall_asleep(double dt) {
-  if (gravity.isZero(0)) return;  // nothing rests where nothing falls: what drifts slowly goes on
+  if (gravity.isZero(0)) return;  // without gravity slow objects drift on
   for (Object& object : objects) {
     if (!object.may_sleep()) continue;
     if (object.settled) {
@@ -105,7 +105,7 @@ void ContactWorld::Impl::wake_neighbors(ProxyId id) {
       wake_up(ProxyId(pair.a == id.index() ? pair.b : pair.a));
 }
 
-/// Wakes what something touches that is not quiet or has just left its place.
+/// Wakes objects that touch an object which is not quiet or has just left its place.
 void ContactWorld::Impl::wake_disturbed(double dt) {
   for (const Pair& pair : pairs) {
     if (objects[pair.a].asleep == objects[pair.b].asleep || pair.count == 0) continue;

@@ -13,8 +13,8 @@ using namespace contact;
 
 namespace {
 
-/// The share of an overlap that goes in a substep, and the overlap, as a share of the smaller radius, that stays, so
-/// that all contacts of what rests go on touching.
+/// Fraction of an overlap that is removed in a substep; overlap, as a fraction of the smaller radius, that remains so
+/// that objects at rest stay in contact.
 constexpr double kCorrectionFraction = 0.1, kRestingFraction = 3e-4;
 
 Mat3 contact_axes(const Vec3& normal) {
@@ -25,7 +25,7 @@ Mat3 contact_axes(const Vec3& normal) {
   return axes;
 }
 
-/// Inverse inertia of a rigid object in the world's frame [1/(kg·m²)].
+/// Returns the inverse inertia of a rigid object in the world frame [1/(kg·m²)].
 Mat3 inverse_inertia_in_world(const Object& object) {
   return object.place.rotation * object.inverse_inertia * object.place.rotation.transpose();
 }
@@ -57,21 +57,22 @@ ContactWorld::Law ContactWorld::Impl::law_of(const Contact& contact, const Memor
   return law;
 }
 
-/// A slower approach does not strike: that of what falls from rest within a substep, and of a fall through a small
-/// share of the smaller object's size [m/s].
+/// Returns the approach speed below which a contact is no impact: that of a fall from rest within a substep, and of a
+/// fall through a small fraction of the smaller object's size [m/s].
 double ContactWorld::Impl::touching_speed(const Object& a, const Object& b, double dt) const {
   constexpr double kSettledFraction = 0.06;
   return std::max(2 * dt * gravity.norm(), kSettledFraction * std::sqrt(gravity.norm() * smaller_radius(a, b)));
 }
 
-/// A gap that closes in this substep is struck now, at full speed, rather than half now and half in the next one.
+/// True for an impact: a gap that closes in this substep is hit now, at full speed, rather than in part now and in part
+/// in the next one.
 bool ContactWorld::Impl::strikes(const Contact& contact, double dt) const {
   return contact.approach > touching_speed(objects[contact.a], objects[contact.b], dt) &&
          contact.approach * dt > contact.distance;
 }
 
-/// The speed of parting with which what was struck, now instead of when the gap will have closed, comes back to e² of
-/// the height that it fell from. Stepped as here, a fall with g keeps v²/2 + g y + g dt v/2, v downwards.
+/// Returns the separation speed after an impact, now instead of when the gap will have closed, for e² of the height of
+/// the fall. In these substeps, a fall with g conserves v²/2 + g y + g dt v/2, v downward.
 double ContactWorld::Impl::rebound_speed(const Contact& contact, double dt) const {
   const Object &a = objects[contact.a], &b = objects[contact.b];
   const double restitution = std::min(a.surface.restitution, b.surface.restitution);
@@ -128,7 +129,8 @@ void ContactWorld::Impl::prepare_elastic_groups(double dt, std::span<const Elast
   }
 }
 
-/// Velocity of a point of a rigid object without impulses; none of an elastic one, whose owner knows it [m/s].
+/// Returns the velocity of a point of a rigid object without impulses; zero for an elastic one, whose owner knows it
+/// [m/s].
 Vec3 ContactWorld::Impl::rigid_velocity(ProxyId id, const Vec3& arm, double dt) const {
   const Object& object = objects[id];
   if (object.elastic) return Vec3::Zero();
@@ -153,7 +155,7 @@ std::vector<std::vector<int>> ContactWorld::Impl::elastic_groups() const {
   return found;
 }
 
-/// Those whose impulses pass on to others.
+/// Returns the pairs whose impulses affect each other.
 std::vector<std::pair<int, int>> ContactWorld::Impl::touching_pairs() const {
   std::vector<std::pair<int, int>> touching;
   for (const Contact& contact : contacts)
@@ -201,7 +203,7 @@ std::vector<ContactWorld::Impl::Momentum> ContactWorld::Impl::impulse_sums() con
   return sums;
 }
 
-/// Momentum balance of the rigid objects.
+/// Updates the momentum of the rigid objects.
 void ContactWorld::Impl::read_back_impulses(double dt) {
   const std::vector<Momentum> sums = impulse_sums();
   for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -214,7 +216,7 @@ void ContactWorld::Impl::read_back_impulses(double dt) {
   }
 }
 
-/// Displaces what touches something elastic out of its overlaps, all of it as rigid bodies.
+/// Moves groups with elastic objects out of their overlaps, all objects as rigid ones.
 void ContactWorld::Impl::push_elastic_groups_apart(double dt) {
   for (Object& object : objects) object.correction = {};
   const auto overlaps = [&](int i) { return overlap_contact(contacts[i]).distance < 0; };
@@ -241,7 +243,7 @@ void ContactWorld::Impl::push_elastic_groups_apart(double dt) {
   limit_lift(dt);
 }
 
-/// A contact of which only the overlap counts.
+/// Returns a contact of which only the overlap counts.
 RigidContact ContactWorld::Impl::overlap_contact(const Contact& contact) const {
   const Object &a = objects[contact.a], &b = objects[contact.b];
   RigidContact row;
@@ -256,8 +258,8 @@ RigidContact ContactWorld::Impl::overlap_contact(const Contact& contact) const {
   return row;
 }
 
-/// Of each group of objects that touch, corrections lift no more than the substep let fall or slowed down: energy does
-/// not grow.
+/// Limits the lift by corrections in each group of touching objects to the energy that falls and contacts took from it
+/// in the substep, so energy does not grow.
 void ContactWorld::Impl::limit_lift(double dt) {
   const std::vector<int> groups = connected_groups(static_cast<int>(objects.size()), touching_pairs());
   std::vector<double> lifted(objects.size(), 0.0), lost(objects.size(), 0.0);

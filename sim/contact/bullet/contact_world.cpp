@@ -11,7 +11,7 @@ using namespace contact;
 
 namespace {
 
-/// A held object that is displaced by a smaller share of its radius since it last moved does not disturb sleepers.
+/// Fraction of its radius by which a held object may move without disturbing sleepers.
 constexpr double kNegligibleMove = 1e-5;
 
 [[maybe_unused]] bool is_valid(const RigidState& state) {

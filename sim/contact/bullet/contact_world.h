@@ -19,9 +19,9 @@ namespace griffith::contact {
 
 struct Object;
 double smaller_radius(const Object& a, const Object& b);
-/// Kinetic energy of a free object, if it moved so as it lies [J].
+/// Returns the kinetic energy of a free object for these velocities at its present orientation [J].
 double kinetic_energy(const Object& object, const Vec3& velocity, const Vec3& spin);
-/// Distance less the overlap that is allowed; a gap stays a gap.
+/// Returns the distance without the allowed overlap; a gap stays a gap.
 double distance_beyond(double distance, double allowed_overlap);
 
 enum class Kind { ground, projectile, proxy };
@@ -30,66 +30,66 @@ struct alignas(64) Object {
   // What a substep asks of every object, moving or not, in one line of the cache.
   Kind kind;
   Mobility mobility;
-  bool asleep = false;      ///< lies still: neither moved nor looked at until something disturbs it
+  bool asleep = false;      ///< at rest: neither moved nor examined until it is disturbed
   bool elastic = false;     ///< its owner answers the impulses of the present solve
   int hinge = -1;           ///< index into those of the present solve, -1 without one
-  bool fresh = true;        ///< its shape has not yet been seen by detect()
-  bool parted = true;       ///< what is fresh is another piece than before, not the same one deformed
+  bool fresh = true;        ///< true until detect() has used its shape
+  bool parted = true;       ///< true if a fresh shape is that of another piece, not of the same one deformed
   bool exists = true;       ///< until removed
   bool active = true;       ///< what is not active is looked at only where something active comes near: sleepers, the
                             ///< ground, and what is held and was not just displaced
   bool carried = false;     ///< held, and the ground pushed it in the last substep
   double inverse_mass = 0;  ///< 0 when held
-  double impact_speed = std::numeric_limits<double>::infinity();  ///< from which it could be hurt [m/s]
-  double still_time = 0;                                          ///< that it has hardly left its resting place [s]
-  std::optional<bool> settled = {};  ///< whether it has come to rest, where its owner tells
+  double impact_speed = std::numeric_limits<double>::infinity();  ///< least speed of a damaging impact [m/s]
+  double still_time = 0;             ///< time for which it has hardly left its resting place [s]
+  std::optional<bool> settled = {};  ///< true if it has come to rest; empty unless its owner reports it
 
   Shape shape;
   Place place = {};              ///< as `state` has it
   std::vector<int> leaves = {};  ///< per part, in the tree of boxes
   RigidState state = {};         ///< as its owner set it or, after advance(), with the solved velocities
   SurfaceProperties surface = {};
-  Vec3 first_velocity = Vec3::Zero(), first_spin = Vec3::Zero();  ///< when the substep began
+  Vec3 first_velocity = Vec3::Zero(), first_spin = Vec3::Zero();  ///< velocities at the start of the substep
   Mat3 inverse_inertia = Mat3::Zero();                            ///< in its own frame
   ContactWorld::Correction correction = {};
   Vec3 pushed_out = Vec3::Zero();  ///< projectiles: the correction that the last advance() made [m]
-  Pose resting_place = {};         ///< that it has hardly left
-  double dissipated = 0;           ///< what contacts took from its motion and pushing out has not given back [J]
+  Pose resting_place = {};         ///< place that it has hardly left
+  double dissipated = 0;           ///< energy taken by contacts, less that returned by corrections [J]
 
   bool is_free() const { return exists && mobility == Mobility::free; }
   bool moves() const { return is_free() && !asleep; }
   bool is_sphere() const { return shape.is_sphere(); }
-  /// Whether it is awake and might fall asleep.
+  /// True if it is awake and could fall asleep.
   bool may_sleep() const { return moves() || (settled && !asleep); }
-  /// Of its convex parts; the ground counts as one.
+  /// Returns the number of its convex parts, 1 for the ground.
   std::size_t part_count() const { return kind == Kind::ground ? 1 : shape.parts.size(); }
-  /// Speed of its fastest point [m/s].
+  /// Returns the speed of its fastest point [m/s].
   double speed() const { return state.velocity.norm() + state.angular_velocity.norm() * shape.radius; }
-  /// With which it goes in this substep of `dt` [s], corrections and all [m/s].
+  /// Returns its mean velocity in this substep of `dt` [s], including corrections [m/s].
   Vec3 mean_velocity(double dt) const { return state.velocity + correction.translation / dt; }
   bool is_still() const { return state.velocity.isZero(0) && state.angular_velocity.isZero(0); }
-  /// Whether impulses change its velocities in the present solve.
+  /// True if impulses change its velocities in the present solve.
   bool responds() const { return elastic || moves(); }
-  /// The same, or whether they turn it about a hinge.
+  /// True in the same case, or if impulses rotate it about a hinge.
   bool yields() const { return responds() || hinge >= 0; }
 };
 
-/// A convex part of an object where the object lies there, or the ground.
+/// Returns a convex part of an object at its place, or the ground.
 PlacedShape placed(const Object& object, std::size_t part, const btTransform& place, double ground_height);
-/// Whether the spheres round two objects come within `gap` [m] of each other while `a` is displaced from `start`.
+/// True if the bounding spheres of two objects come within `gap` [m] of each other while `a` is displaced from `start`.
 bool may_touch(const Object& a, const Vec3& start, const Vec3& displacement, const Object& b, double gap,
                double ground_height);
 
-/// Whether a point of an object of this radius has gone farther than `distance` [m] from where it was.
+/// True if a point of an object of this radius has moved farther than `distance` [m] from its previous position.
 bool has_left(const Pose& then, const Pose& now, double distance, double radius);
 
-/// Overlap that a pair is allowed because a crack left it behind. Ordered by the pair.
+/// Allowed overlap of a pair after a crack between the two. Ordered by the pair.
 struct Allowance {
   ProxyId a, b;
   double overlap;  ///< [m], > 0
 };
 
-/// A contact that the owner put in, where it is [m], and the mean force on a there in the last substep [N].
+/// Contact set by the owner, its place [m], and the mean force on a there in the last substep [N].
 struct NodeContact {
   ProxyId a, b;
   NodeId node_a, node_b;
@@ -97,27 +97,27 @@ struct NodeContact {
   auto key() const { return std::tie(a, b, node_a, node_b); }
 };
 
-/// Two convex parts with boxes that meet. Ordered by the objects, then the parts.
+/// Two convex parts whose boxes overlap. Ordered by the objects, then the parts.
 struct Pair {
   int a, b;            ///< objects, a < b
   int part_a, part_b;  ///< 0 in the ground
   int manifold;        ///< index into ContactState::manifolds; -1 while the two are too far from each other for one
-  int count = 0;       ///< of its points
+  int count = 0;       ///< number of its points
   auto key() const { return std::tie(a, b, part_a, part_b); }
 };
 
-/// A contact at a point of a manifold, its objects lying as told.
+/// Returns the contact at a point of a manifold for these places of its objects.
 Contact contact_at(const Pair& pair, const Manifold& manifold, const Manifold::Point& point, const Place& a,
                    const Place& b);
 
-/// Objects outside their boxes in the tree within a step: by `distance` [m] at most. Those that go farther, or have no
-/// box, are listed.
+/// Objects outside their boxes in the tree within a step, by at most `distance` [m]. Those that move farther, or have
+/// no box, are listed.
 struct Strays {
   double distance = 0;
   std::vector<int> objects;
 };
 
-/// Where the force of a contact is kept until the next substep: with a pair's points, or with the owner's contacts.
+/// Location of the stored force of a contact: a pair's point, or a contact of the owner.
 struct Memory {
   int manifold = -1, point = 0;
   int node_contact = -1;  ///< index into ContactState::node_contacts
@@ -134,7 +134,7 @@ struct SubstepScratch {
   std::vector<int> first_pairs;  ///< per object: its first pair as the first of the two; and the end
   std::vector<Pair> found;
   std::vector<RigidBody> rigid_bodies;       ///< per object, as the last solve() moved them
-  std::vector<RigidContact> rigid_contacts;  ///< of groups in which nothing deforms
+  std::vector<RigidContact> rigid_contacts;  ///< contacts of groups without deformable objects
   std::vector<int> contact_of_row;           ///< per rigid contact: index into ContactState::contacts
 
   void keep_box(int leaf, const Box& box) {
@@ -147,7 +147,7 @@ struct SubstepScratch {
   SubstepScratch& operator=(const SubstepScratch&) { return *this; }
 };
 
-/// What a world keeps from one substep to the next: a value.
+/// State of a world between substeps: a value.
 struct ContactState {
   Vec3 gravity = Vec3::Zero();
   double ground_height = 0;
@@ -155,19 +155,19 @@ struct ContactState {
   std::vector<Object> objects;  ///< by ProxyId
   std::vector<Allowance> allowances;
   std::vector<Contact> contacts;
-  std::vector<NodeContact> node_contacts;       ///< that the owner put in
-  std::vector<NodeContact> past_node_contacts;  ///< of the last substep, by key
+  std::vector<NodeContact> node_contacts;       ///< contacts set by the owner
+  std::vector<NodeContact> past_node_contacts;  ///< node contacts of the last substep, by key
   std::vector<Memory> memories;                 ///< per contact
 
   BoxTree tree;                     ///< boxes of all parts, with room to move in
   std::vector<Pair> pairs;          ///< in their order
-  std::vector<Manifold> manifolds;  ///< of the pairs; those of parted pairs are used again
+  std::vector<Manifold> manifolds;  ///< manifolds of the pairs; those of parted pairs are reused
   std::vector<int> free_manifolds;
-  Strays strays;  ///< as the last advance() moves everything
+  Strays strays;  ///< state for the motion of the last advance()
 
   std::vector<ContactWorld::Law> laws;   ///< laws of contacts in groups with a deformable object, of the last solve()
   std::vector<int> law_of_contact;       ///< per contact: index into `laws`, -1 where all is rigid
-  std::vector<HingedObject> hinged;      ///< as given to the last solve()
+  std::vector<HingedObject> hinged;      ///< input of the last solve()
   std::vector<RigidGroup> rigid_groups;  ///< groups in which nothing deforms, of the last solve()
   std::vector<bool> moves_rigidly;       ///< per object: in one of these
   std::vector<int> elastic_contacts;     ///< all others
@@ -268,20 +268,20 @@ struct ContactWorld::Impl : contact::ContactState {
   void turn_free(contact::Object& object, double dt);
   double deepest_overlap(const contact::Object& object) const;
   struct TouchAhead {
-    double fraction;  ///< of the substep
+    double fraction;  ///< fraction of the substep
     const contact::Object* met;
-    Vec3 normal;       ///< unit, towards the projectile
-    std::size_t part;  ///< of what is met
+    Vec3 normal;       ///< unit normal, toward the projectile
+    std::size_t part;  ///< convex part of the other object
   };
-  /// A surface that a projectile has touched and is sliding or moving off.
+  /// Surface that a projectile has touched and along which it slides or from which it moves away.
   struct LeftSurface {
     const contact::Object* object;
     std::size_t part;
     Vec3 normal;  ///< in the object's frame
-    /// Parts whose surfaces go on from one another are one.
+    /// True for this surface. Parts with continuous surfaces count as one.
     bool is(const contact::Object& other, std::size_t other_part, const Vec3& other_normal) const;
   };
-  /// What a sweep leaves out: what it moves against by less than `slow` [m], and what does not stop it.
+  /// Contacts that a sweep ignores: approaches of less than `slow` [m], and objects that do not stop it.
   struct SweepRule {
     double slow = 0;
     std::function<bool(ProxyId)> stops;  ///< all do where it is empty

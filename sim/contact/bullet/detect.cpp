@@ -138,8 +138,8 @@ void ContactWorld::Impl::list_pair(std::span<const Pair> of_pair, double dt) {
   memories.resize(end);
 }
 
-/// Whether a gap is small, or closes within `dt` [s], also where something stops one of the two: not one that could
-/// hurt, which its owner foresees by itself.
+/// True if a gap is small or closes within `dt` [s], even if something stops one of the two objects. Approaches that
+/// could cause damage are excluded: the owner predicts these itself.
 bool ContactWorld::Impl::is_near(const Pair& pair, const Contact& contact, double dt) const {
   const Object &a = objects[pair.a], &b = objects[pair.b];
   if (contact.distance < reach(a, b, 0)) return true;

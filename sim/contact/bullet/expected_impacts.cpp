@@ -17,13 +17,13 @@ using namespace contact;
 
 namespace {
 
-/// When and how two convex parts touch.
+/// Time and place of the first touch of two convex parts.
 struct Meeting {
   double time = 0;  ///< [s]
   Separation apart = {};
 };
 
-/// An object in free flight, as a time step of that length would take it: x + t (v + t g), and turning uniformly.
+/// Object in free flight, as in a time step of that length: x + t (v + t g), with uniform rotation.
 struct Flight {
   const Object& object;
   Vec3 velocity, acceleration, spin;  ///< [m/s], [m/s²], [rad/s]
@@ -34,19 +34,19 @@ struct Flight {
   }
   Vec3 displacement_after(double time) const { return time * velocity_after(time); }
   Vec3 velocity_after(double time) const { return velocity + time * acceleration; }
-  /// The fastest that turning moves a point along a unit vector [m/s].
+  /// Returns the largest speed of a point along a unit vector by rotation [m/s].
   double turning_speed(const Vec3& direction) const { return spin.cross(direction).norm() * object.shape.radius; }
   double turning_speed() const { return spin.norm() * object.shape.radius; }
 };
 
-/// Turning spheres come no nearer to anything.
+/// Returns the flight of an object. Spheres do not need rotation.
 Flight flight_of(const Object& object, const Vec3& gravity) {
   const RigidState& state = object.state;
   return {object, state.velocity, object.moves() ? gravity : Vec3::Zero(),
           object.is_sphere() ? Vec3::Zero() : state.angular_velocity};
 }
 
-/// That no point of it exceeds within `dt` [m/s].
+/// Returns an upper bound of the speed of its points within `dt` [m/s].
 double highest_speed(const Flight& flight, double dt) {
   return flight.velocity.norm() + dt * flight.acceleration.norm() + flight.turning_speed();
 }
@@ -61,12 +61,12 @@ struct Flyer {
 struct FlyingPart {
   const Flight& flight;
   std::size_t index;
-  double ground_height;  ///< of that which has no parts [m]
+  double ground_height;  ///< height of an object without parts: the ground [m]
 
   PlacedShape shape_after(double time) const {
     return placed(flight.object, index, to_bullet(flight.pose_after(time)), ground_height);
   }
-  /// Points of it that may be the first to strike something: its corners, or where a sphere touches.
+  /// Returns the points that may hit first: its corners, or the touched point of a sphere.
   std::vector<Vec3> striking_points(double time, const Vec3& touched) const {
     if (flight.object.kind == Kind::ground) return {};
     if (flight.object.is_sphere()) return {touched};
@@ -77,16 +77,15 @@ struct FlyingPart {
   }
 };
 
-/// The time in which something at this speed and acceleration covers x = t (v + t a), none if it turns back before.
+/// Returns the time in which this speed and acceleration cover x = t (v + t a); empty if the motion reverses before.
 std::optional<double> time_to_cover(double distance, double speed, double acceleration) {
   const double square = speed * speed + 4 * acceleration * distance;
   if (square < 0 || speed + std::sqrt(square) <= 0) return std::nullopt;
   return 2 * distance / (speed + std::sqrt(square));
 }
 
-/// When a part of one first touches a part of the other within `dt` [s], if it does. Conservative advancement (Mirtich
-/// 1996): no point can cross the plane between them sooner than after an advance. It ends where the next advance would
-/// be shorter than `tolerance` [s].
+/// Returns the first touch of two parts within `dt` [s], if any. Conservative advancement (Mirtich 1996): no point can
+/// cross the plane between them before an advance. It ends when the next advance would be shorter than `tolerance` [s].
 std::optional<Meeting> first_meeting(const FlyingPart& part_of_a, const FlyingPart& part_of_b, double dt,
                                      double tolerance) {
   constexpr int kMaxAdvances = 64;
@@ -107,14 +106,15 @@ std::optional<Meeting> first_meeting(const FlyingPart& part_of_a, const FlyingPa
   return meeting;
 }
 
-/// How corners of two parts strike the other.
+/// Impact of corners of two parts on each other.
 struct Strike {
   double speed = 0;                                        ///< the fastest [m/s]
-  double delay = std::numeric_limits<double>::infinity();  ///< from their meeting to the first that could hurt [s]
+  double delay = std::numeric_limits<double>::infinity();  ///< time from their meeting to the first impact that could
+                                                           ///< cause damage [s]
 };
 
-/// How corners of two parts strike the other within `dt` [s], from their meeting on: those that get across the plane
-/// between the two in what is left of it. Slower ones than `damage_speed` [m/s] could not hurt.
+/// Returns the impact of corners of two parts on each other within `dt` [s] after their meeting: of corners that cross
+/// the plane between the two in the remaining time. Impacts slower than `damage_speed` [m/s] cause no damage.
 Strike strike_of(const FlyingPart& part_of_a, const FlyingPart& part_of_b, const Meeting& meeting, double dt,
                  double damage_speed) {
   const Flight &a = part_of_a.flight, &b = part_of_b.flight;
@@ -174,7 +174,7 @@ std::optional<ContactWorld::Encounter> ContactWorld::Impl::expected_impact(std::
   return impact;
 }
 
-/// Looks at pairs that are fast enough together.
+/// Examines pairs of a sufficient relative speed.
 std::vector<ContactWorld::Encounter> ContactWorld::Impl::expected_impacts(double dt, double minimum_speed,
                                                                           double tolerance,
                                                                           const PairFilter& matters) const {

@@ -26,18 +26,18 @@ bool contact::may_touch(const Object& a, const Vec3& start, const Vec3& displace
 
 namespace {
 
-/// Swept projectiles come to rest overlapping by this share of their radius, so that the next detection sees the
+/// Overlap of swept projectiles at a touch, as a fraction of their radius, so that the next detection finds the
 /// contact.
 constexpr double kTouchFraction = 1e-6;
-/// A projectile changes its way at this many surfaces in one substep at most.
+/// Largest number of surfaces at which a projectile changes direction in one substep.
 constexpr int kMaxTurns = 4;
 
-/// A motion of `a` as seen from `b`, which stays in its present place.
+/// Motion of `a` relative to `b`, which stays in its present place.
 struct Sweep {
   const Object &a, &b;
-  Vec3 start;         ///< of a's center [m]
+  Vec3 start;         ///< start of a's center [m]
   Vec3 displacement;  ///< [m]
-  double gap;         ///< that counts as touching [m]
+  double gap;         ///< gap that counts as touching [m]
 };
 
 btTransform moved_to(const Object& object, const Vec3& center) {
@@ -62,7 +62,8 @@ Quat rotated(const Quat& rotation, const Vec3& turn) {
   return (Quat(rotation_by(turn)) * rotation).normalized();
 }
 
-/// Where an object will be after a share (0..1) of the substep, moving uniformly. Projectiles have turned already.
+/// Returns the place of an object after a fraction (0..1) of the substep in uniform motion. Projectiles have rotated
+/// already.
 Pose pose_after(const Object& object, double fraction, double dt) {
   Pose pose = object.state.pose;
   pose.translation += fraction * dt * object.mean_velocity(dt);
@@ -72,7 +73,7 @@ Pose pose_after(const Object& object, double fraction, double dt) {
   return pose;
 }
 
-/// Turns a projectile; its angular momentum stays.
+/// Rotates a projectile; its angular momentum is conserved.
 void turn(Object& object, const Mat3& rotation) {
   RigidState& state = object.state;
   const Quat before = state.pose.rotation;
@@ -83,8 +84,8 @@ void turn(Object& object, const Mat3& rotation) {
   state.angular_velocity = state.pose.rotation * (object.inverse_inertia * (back * momentum));
 }
 
-/// How fast what a projectile met at `center` moves there after a share of the substep [m/s]. Two projectiles, which
-/// both stop there, go on together.
+/// Returns the velocity of the touched object at `center` after a fraction of the substep [m/s]. Two projectiles stop
+/// at their contact and continue together.
 Vec3 velocity_of_met(const Object& projectile, const Object& met, const Vec3& center, double fraction, double dt) {
   const double own = projectile.inverse_mass, other = met.inverse_mass;
   if (met.kind == Kind::projectile && own + other > 0)
@@ -92,7 +93,7 @@ Vec3 velocity_of_met(const Object& projectile, const Object& met, const Vec3& ce
   return met.state.velocity + met.state.angular_velocity.cross(center - pose_after(met, fraction, dt).translation);
 }
 
-/// How a projectile turns by its spin in `dt` [s] and by its correction.
+/// Returns the rotation of a projectile by its spin in `dt` [s] and by its correction.
 Mat3 turn_of(const Object& object, double dt, double fraction) {
   const Mat3 rotation = object.state.pose.rotation.toRotationMatrix();
   const Mat3 inertia = rotation * object.inverse_inertia.inverse() * rotation.transpose();
@@ -102,7 +103,8 @@ Mat3 turn_of(const Object& object, double dt, double fraction) {
 
 }  // namespace
 
-/// Each is turned first, then moved as it lies then, so that it comes to touch what it meets. True if there are any.
+/// Rotates each projectile first, then moves it in its new orientation, so that it touches the objects that it meets.
+/// Returns true if there are any.
 bool ContactWorld::Impl::move_projectiles(double dt) {
   std::vector<std::size_t> projectiles;
   for (std::size_t i = 0; i < objects.size(); ++i)
@@ -132,7 +134,7 @@ Vec3 ContactWorld::Impl::velocity_after(const Vec3& velocity, const Vec3& displa
   return velocity + (std::sqrt(std::max(0.0, fall * fall - 2 * not_fallen)) - fall) * down;
 }
 
-/// Turns a projectile as far as nothing is in its way: with the next detection, contacts stop it there.
+/// Rotates a projectile until an object is in the way: contacts stop it there after the next detection.
 void ContactWorld::Impl::turn_free(Object& object, double dt) {
   constexpr double kLargestTurn = 0.2, kMinTurn = 1e-3;  // [rad]
   if (object.is_sphere()) {
@@ -157,7 +159,7 @@ void ContactWorld::Impl::turn_free(Object& object, double dt) {
   }
 }
 
-/// Deepest overlap with anything but the ground, out of which contacts lead whatever the depth [m].
+/// Returns the deepest overlap with objects other than the ground, out of which contacts lead at any depth [m].
 double ContactWorld::Impl::deepest_overlap(const Object& object) const {
   double deepest = 0;
   const Vec3& center = object.state.pose.translation;
@@ -178,9 +180,9 @@ bool ContactWorld::Impl::LeftSurface::is(const Object& other, std::size_t other_
   return object == &other && (part == other_part || normal.dot(other_normal) > kSameNormal);
 }
 
-/// Where a projectile is after `dt` among the others in uniform motion. Slow touches let it slide on along the surface.
-/// What it strikes stops it for the rest of `dt`, or pushes it on, no faster than it came, so that the next detection
-/// finds both in touch.
+/// Returns the place of a projectile after `dt` among the others in uniform motion. After slow touches it slides along
+/// the surface. An impact stops it for the rest of `dt`, or pushes it on, no faster than before, so that the next
+/// detection finds both in contact.
 Vec3 ContactWorld::Impl::swept_end(const Object& projectile, double dt, const SweepRule& rule) const {
   Vec3 center = projectile.state.pose.translation, velocity = projectile.mean_velocity(dt);
   double fraction = 0;
@@ -203,8 +205,8 @@ Vec3 ContactWorld::Impl::swept_end(const Object& projectile, double dt, const Sw
   return center;
 }
 
-/// How a projectile goes on from what it touches there: slowly, it slides; what it strikes stops it or pushes it on, no
-/// faster than it came.
+/// Returns the velocity of a projectile after a touch: if slow, it slides; after an impact it stops or is pushed on, no
+/// faster than before.
 Vec3 ContactWorld::Impl::velocity_at_touch(const Object& projectile, Vec3 velocity, const TouchAhead& touch,
                                            const Vec3& center, double dt) const {
   const double pushed = touch.normal.dot(velocity_of_met(projectile, *touch.met, center, touch.fraction, dt));
@@ -217,10 +219,10 @@ Vec3 ContactWorld::Impl::velocity_at_touch(const Object& projectile, Vec3 veloci
   return velocity * (speed / std::max({velocity.norm(), speed, std::numeric_limits<double>::min()}));
 }
 
-/// How far a projectile may get into a proxy [m]. An elastic body gives way where it was touched, as the solve knows
-/// and its proxy, which does not deform, does not show.
+/// Returns the depth to which a projectile may penetrate a proxy [m]. An elastic body deforms where it is touched,
+/// which the solve knows but its undeformed proxy does not show.
 double ContactWorld::Impl::allowed_depth(const Object& projectile, const Object& other) const {
-  constexpr double kElasticFraction = 0.5;  // of a sphere: its center stays outside
+  constexpr double kElasticFraction = 0.5;  // fraction of a sphere's radius: its center stays outside
   const bool yields_now = other.elastic && std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
                             const Object &a = objects[contact.a], &b = objects[contact.b];
                             return (&a == &projectile && &b == &other) || (&a == &other && &b == &projectile);
@@ -232,8 +234,8 @@ double ContactWorld::Impl::allowed_depth(const Object& projectile, const Object&
 
 namespace {
 
-/// Whether the spheres round two objects touch while the one moves from `center` by `displacement` and the other turns
-/// and moves on from a share of the substep.
+/// True if the bounding spheres of two objects touch while the first moves from `center` by `displacement` and the
+/// second moves and rotates from a fraction of the substep on.
 bool may_come_near(const Object& object, const Vec3& center, const Vec3& displacement, const Object& other,
                    double fraction, double dt) {
   constexpr double kRounding = 1 + 1e-9;
@@ -246,8 +248,8 @@ bool may_come_near(const Object& object, const Vec3& center, const Vec3& displac
 
 }  // namespace
 
-/// What a projectile in uniform motion meets after a share of the substep, in order. Each other object is looked at in
-/// its own frame, so that its turning counts.
+/// Returns the touches of a projectile in uniform motion after a fraction of the substep, in order. Each other object
+/// is examined in its own frame, so its rotation counts.
 std::vector<ContactWorld::Impl::TouchAhead> ContactWorld::Impl::touches_ahead(const Object& projectile,
                                                                               const Vec3& center, const Vec3& velocity,
                                                                               double fraction, double dt,

@@ -10,7 +10,7 @@ using namespace contact;
 std::vector<int> ContactWorld::Impl::drop_near_misses(double dt, std::span<const double> approach) {
   assert(approach.size() == contacts.size());
   constexpr double kSafety = 1.25, kPassedOn = 0.5;
-  // What one impact may set in motion towards the next neighbor.
+  // Speeds that one impact could pass on toward the next neighbor.
   std::vector<double> struck(objects.size(), 0.0);
   for (std::size_t i = 0; i < contacts.size(); ++i)
     if (approach[i] * dt > contacts[i].distance)

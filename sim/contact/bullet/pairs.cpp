@@ -15,20 +15,20 @@ using namespace contact;
 
 namespace {
 
-/// Room that a box has to move in before it enters the tree again, as a share of the object's radius.
+/// Distance that a box may move before it enters the tree again, as a fraction of the object's radius.
 constexpr double kSlack = 0.1;
 
 double contact_reach(const Object& object) { return kContactReach * object.shape.radius; }
 
-/// Room along the way that it goes, in steps.
+/// Distance along its motion, in steps.
 constexpr double kStepsAhead = 3;
 
-/// How fast turning moves its points, at most [m/s].
+/// Returns the largest speed of its points by rotation [m/s].
 double turning_speed(const Object& object) {
   return object.is_sphere() ? 0 : object.state.angular_velocity.norm() * object.shape.radius;
 }
 
-/// Where two convex parts meet that are not both solid hulls: in a point.
+/// Finds the contact point of two convex parts that are not both solid hulls.
 void find_point(Manifold& manifold, const PlacedShape& a, const PlacedShape& b, const Place& place_a,
                 const Place& place_b, double reach) {
   const Separation apart = a.convex ? separation(a, b) : separation(b, a);
@@ -42,15 +42,15 @@ void find_point(Manifold& manifold, const PlacedShape& a, const PlacedShape& b, 
              std::numeric_limits<double>::max());
 }
 
-/// The face of a hull that looks most against `up`, in the hull's frame; null where it has no faces.
+/// Returns the face of a hull most opposed to `up`, in the hull's frame; null for a hull without faces.
 const Hull::Face* lower_face(const Hull& hull, const Vec3& up) {
   const auto lowest =
       std::ranges::min_element(hull.faces, {}, [&](const Hull::Face& face) { return up.dot(face.normal); });
   return lowest == hull.faces.end() ? nullptr : &*lowest;
 }
 
-/// The corners of a hull that meet the ground first: those of its lower half, and those of the face on which it may
-/// come to lie. The upper side of a thin slab is near the ground, but does not touch it.
+/// Corners of a hull that touch the ground first: those of its lower half, and those of the face on which it may come
+/// to rest. The upper side of a thin slab is near the ground but does not touch it.
 class LowerCorners {
  public:
   LowerCorners(const Hull& hull, const Vec3& up) : hull_(hull), up_(up), face_(lower_face(hull, up)) {
@@ -93,7 +93,7 @@ void find_ground_points(Manifold& manifold, const Hull& hull, const Place& place
   set_points(manifold, {found.data(), count}, hull_is_a ? Vec3(Vec3::UnitY()) : Vec3(-up), a_in_b, tolerance);
 }
 
-/// Whether the spheres round two objects come within `gap` [m] of each other.
+/// True if the bounding spheres of two objects come within `gap` [m] of each other.
 bool spheres_meet(const Object& a, const Object& b, double gap) {
   const double reach = a.shape.radius + b.shape.radius + gap;
   return (a.place.translation - b.place.translation).squaredNorm() < reach * reach;
@@ -101,12 +101,12 @@ bool spheres_meet(const Object& a, const Object& b, double gap) {
 
 }  // namespace
 
-/// A speed of approach with what falling for `dt` [s] adds. What hardly moves rests on something [m/s].
+/// Returns an approach speed plus that of a fall for `dt` [s]. Objects that hardly move are supported [m/s].
 double ContactWorld::Impl::with_fall(double speed, double dt) const {
   return speed + std::clamp(speed, 0.0, dt * gravity.norm());
 }
 
-/// The gap below which two objects touch, or may within `dt` [s] [m].
+/// Returns the gap below which two objects touch, or may within `dt` [s] [m].
 double ContactWorld::Impl::reach(const Object& a, const Object& b, double dt) const {
   const double radius = a.kind == Kind::ground   ? b.shape.radius
                         : b.kind == Kind::ground ? a.shape.radius
@@ -119,7 +119,7 @@ double ContactWorld::Impl::reach(const Object& a, const Object& b, double dt) co
   return kContactReach * radius + std::min(dt * with_fall(speed, dt), radius);
 }
 
-/// The box that a part does not leave within `dt` [s].
+/// Returns the box that a part does not leave within `dt` [s].
 Box ContactWorld::Impl::box_of(const Object& object, int part, double dt) const {
   Vec3 center = object.place.translation, half = Vec3::Constant(object.shape.radius);
   if (!object.is_sphere()) {
@@ -221,7 +221,8 @@ std::vector<BoxTree::Item> ContactWorld::Impl::update_boxes(double dt) {
   return moved;
 }
 
-/// What is held bends and swings down to the ground, but keeps out of the way of what else is held.
+/// True if two objects may touch. A supported body bends and swings down to the ground, but never touches another
+/// supported one.
 bool ContactWorld::Impl::may_meet(const Object& a, const Object& b) const {
   return a.is_free() || b.is_free() || a.kind == Kind::ground || b.kind == Kind::ground;
 }
@@ -250,7 +251,7 @@ void ContactWorld::Impl::give_back_manifold(int manifold) {
   free_manifolds.push_back(manifold);
 }
 
-/// Drops pairs whose boxes have parted, of what has a new one.
+/// Removes pairs whose boxes have separated, of objects with new boxes.
 void ContactWorld::Impl::drop_parted_pairs(const std::vector<bool>& moved) {
   const auto low = [&](int object, int part) { return tree.box(objects[object].leaves[part]).low.y(); };
   erase_pairs([&](const Pair& pair) {
@@ -318,8 +319,8 @@ bool ContactWorld::Impl::parts_may_touch(const Pair& pair, double gap) const {
   return spheres_meet(a, b, gap) && present_box(a, pair.part_a).meets(present_box(b, pair.part_b));
 }
 
-/// Lists the pairs that may touch, of which one side may have moved. Only these need a manifold, besides those that lie
-/// still: most boxes that meet hold things that do not come near each other.
+/// Lists the pairs that may touch and of which one side may have moved. Only these need a manifold, besides those at
+/// rest: most boxes that overlap hold objects that stay apart.
 void ContactWorld::Impl::list_close_pairs(double dt) {
   scratch.close_pairs.clear();
   for (int i = 0; i < static_cast<int>(pairs.size()); ++i) {
@@ -336,7 +337,7 @@ void ContactWorld::Impl::list_close_pairs(double dt) {
   }
 }
 
-/// Where the parts of each close pair meet.
+/// Finds the contact points of each close pair.
 void ContactWorld::Impl::find_points(double dt) {
   constexpr int kPairsAtOnce = 32;
   list_close_pairs(dt);

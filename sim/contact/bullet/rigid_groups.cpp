@@ -11,9 +11,10 @@ using namespace contact;
 
 namespace {
 
-/// The overlap, as a share of the smaller radius, that stays, so that all contacts of what rests go on touching.
+/// Overlap that remains, as a fraction of the smaller radius, so that objects at rest stay in contact.
 constexpr double kOverlapAtRest = 1.2e-3;
-/// A hinge gives way by this share of what the free body would: else what presses on it would find no compliance.
+/// Mobility of a hinge as a fraction of that of the free body: without any, contacts that press on it would find no
+/// compliance.
 constexpr double kHingedMobility = 1e-3;
 
 }  // namespace
@@ -23,7 +24,7 @@ double contact::smaller_radius(const Object& a, const Object& b) {
   return b.kind == Kind::ground ? a.shape.radius : std::min(a.shape.radius, b.shape.radius);
 }
 
-/// Parts the contacts into those of groups of objects that touch in which all are rigid, and the others.
+/// Divides the contacts into those of groups of rigid objects and all others.
 void ContactWorld::Impl::split_groups() {
   DisjointSets sets(static_cast<int>(objects.size()));
   for (const Contact& contact : contacts)
@@ -56,7 +57,7 @@ void ContactWorld::Impl::split_groups() {
   }
 }
 
-/// What a step of `dt` [s] begins with, and what external forces do in it.
+/// Returns the initial state of a step of `dt` [s], with the effect of external forces in it.
 RigidBody ContactWorld::Impl::rigid_body(const Object& object, double dt) const {
   RigidBody body;
   body.velocity = object.state.velocity;
@@ -139,8 +140,8 @@ int ContactWorld::Impl::solve_rigid_groups(double dt) {
   return work;
 }
 
-/// Hands on where the substeps led, beside what the velocities at their end would. In each group the way out of
-/// overlaps lifts no more than its contacts have taken: energy does not grow.
+/// Stores the displacement of the substeps beyond that of the final velocities. In each group the motion out of
+/// overlaps lifts by no more energy than its contacts have taken: energy does not grow.
 void ContactWorld::Impl::move_rigid_groups(double dt) {
   for (const RigidGroup& group : rigid_groups) {
     double lift = 0, dissipated = 0, count = 0;

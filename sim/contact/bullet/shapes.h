@@ -20,7 +20,7 @@ inline btTransform to_bullet(const Pose& pose) {
   return btTransform(btQuaternion(q.x(), q.y(), q.z(), q.w()), to_bullet(pose.translation));
 }
 
-/// A contact begins when a gap is smaller than this share of the smaller object's radius.
+/// Gap at which a contact begins, as a fraction of the smaller object's radius.
 inline constexpr double kContactReach = 0.02;
 
 /// A convex hull for distances, whose rounded surface is the true surface: the corners are moved inward by the margin
@@ -28,20 +28,20 @@ inline constexpr double kContactReach = 0.02;
 class HullShape final : public btConvexHullShape {
  public:
   explicit HullShape(const ConvexHull& hull);
-  /// The true polyhedron, for contacts.
+  /// Returns the exact polyhedron, for contacts.
   const Hull& hull() const { return hull_; }
 
  private:
   Hull hull_;
 };
 
-/// What an object is made of: convex parts, none in the ground. Nothing of it changes: copies share it.
+/// Shape of an object: convex parts, none for the ground. It is constant, so copies share it.
 struct Shape {
   std::vector<std::shared_ptr<btConvexShape>> parts;  ///< in the object's own frame
-  double radius = 0;  ///< of a sphere round the object's origin that holds all parts [m]
+  double radius = 0;  ///< radius of a sphere around the object's origin that contains all parts [m]
 
   bool is_sphere() const { return !parts.empty() && parts.front()->getShapeType() == SPHERE_SHAPE_PROXYTYPE; }
-  /// Of a part that is no sphere.
+  /// Returns the hull of a part that is not a sphere.
   const Hull& hull(std::size_t part) const { return static_cast<const HullShape&>(*parts[part]).hull(); }
 };
 

@@ -12,7 +12,7 @@
 namespace griffith::contact {
 namespace {
 
-/// Shapes with a thinner margin are small: less than some centimetres [m].
+/// Shapes with a thinner margin are small: less than some centimeters [m].
 constexpr double kSmallMargin = 2e-3;
 
 Separation separation_from_ground(const PlacedShape& shape, double height) {
@@ -36,7 +36,7 @@ Separation separation(const btConvexShape& a, const btTransform& a_place, const 
   return {closest.m_distance, from_bullet(closest.m_normalOnBInWorld), from_bullet(closest.m_pointInWorld)};
 }
 
-/// Bullet's tolerances are lengths, areas and volumes: what is small is looked at through a magnifying glass.
+/// Bullet's tolerances are lengths, areas and volumes: small shapes are enlarged for it.
 Separation scaled_separation(const PlacedShape& a, const PlacedShape& b, double scale) {
   btUniformScalingShape large_a(const_cast<btConvexShape*>(a.convex), scale);
   btUniformScalingShape large_b(const_cast<btConvexShape*>(b.convex), scale);
@@ -55,7 +55,7 @@ namespace {
 
 bool is_sphere(const PlacedShape& shape) { return shape.convex->getShapeType() == SPHERE_SHAPE_PROXYTYPE; }
 
-/// A sphere's margin is its radius.
+/// Returns the separation of two spheres, whose margins are their radii.
 Separation separation_of_spheres(const PlacedShape& a, const PlacedShape& b) {
   const Vec3 center = from_bullet(b.transform.getOrigin()), apart = from_bullet(a.transform.getOrigin()) - center;
   const double distance = apart.norm();

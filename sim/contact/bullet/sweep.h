@@ -8,7 +8,7 @@
 
 namespace griffith::contact {
 
-/// A shape in its place. The ground has no convex part: `convex` is null and it fills all below `ground_height`.
+/// Shape at its place. The ground has no convex part: `convex` is null, and it fills everything below `ground_height`.
 struct PlacedShape {
   const btConvexShape* convex = nullptr;
   btTransform transform = btTransform::getIdentity();
@@ -21,26 +21,27 @@ struct Separation {
   Vec3 point_on_b;  ///< [m]
 };
 
-/// The shortest distance between two shapes, `a` a convex one.
+/// Returns the shortest distance between two shapes, `a` a convex one.
 Separation separation(const PlacedShape& a, const PlacedShape& b);
 
 struct Touch {
-  double fraction;  ///< of the displacement, 0..1
+  double fraction;  ///< fraction of the displacement, 0..1
   Vec3 normal;      ///< unit, from the other shape to the moving one
 };
 
-/// How near to the origin a point comes that is displaced from `start` [m].
+/// Returns the smallest distance to the origin of a point that is displaced from `start` [m].
 double nearest_distance(const Vec3& start, const Vec3& displacement);
 
-/// Whether the boxes round two convex shapes come as near as `gap` [m] on the way: cheap, and no for most.
+/// True if the boxes around two convex shapes come within `gap` [m] of each other on the way: cheap, and false for
+/// most.
 bool boxes_meet(const PlacedShape& moving, const Vec3& displacement, const PlacedShape& other, double gap);
 
-/// Whether a displacement brings a shape nearer to one that lies against `normal`: more than rounding does.
+/// True if a displacement moves a shape toward another one that lies against `normal`, by more than rounding errors.
 bool comes_nearer(const Vec3& displacement, const Vec3& normal);
 
-/// Where `moving`, displaced without turning, first is as near to `other` as `gap` [m] (negative: overlaps by that
-/// much): at the start, if it is then, wherever it goes. Nothing if it does not come so near. Conservative advancement:
-/// each move stays short of the plane that parts the shapes, so nothing is stepped over however thin it is.
+/// Returns the first touch of `moving`, displaced without rotation, at a distance of `gap` [m] (negative: overlap) to
+/// `other`; at the start if it is closer there. Empty if it stays farther away. Conservative advancement: each move
+/// ends before the plane that separates the shapes, so thin objects are never passed.
 std::optional<Touch> first_touch(PlacedShape moving, const Vec3& displacement, const PlacedShape& other, double gap);
 
 }  // namespace griffith::contact

@@ -16,7 +16,7 @@
 namespace griffith {
 namespace {
 
-/// A body's nodes or edges as columns.
+/// Returns the values of a body's nodes or edges as columns.
 template <class Identifier>
 NodeVectors gather(const std::vector<Vec3>& values, const std::vector<Identifier>& ids) {
   NodeVectors gathered(3, ids.size());
@@ -30,7 +30,7 @@ Eigen::VectorXd gather(const std::vector<double>& values, const std::vector<Node
   return gathered;
 }
 
-/// A proxy for the body as it is.
+/// Returns the proxy of a body in its present state.
 ContactWorld::Proxy proxy_of(const WorldState& world, const Body& body) {
   const Material& material = world.material_of(body);
   return {body.collision_parts,
@@ -46,7 +46,7 @@ void reshape_proxy(WorldState& world, const Body& body) {
   world.contact_world.set_impact_speed(body.proxy, harmful_impact_speed(world, body));
 }
 
-/// Longest edge of the box round the body at rest [m].
+/// Returns the longest edge of the box around the body at rest [m].
 double extent_of(const WorldState& world, const Body& body) {
   Eigen::AlignedBox3d box;
   for (NodeId node : body.nodes) box.extend(world.mesh->rest_positions[node]);
@@ -60,8 +60,8 @@ bool is_shaped_like_proxy(const WorldState& world, const Body& body, double tole
   return (positions - placed).colwise().norm().maxCoeff() <= tolerance * body.extent;
 }
 
-/// What scatter and direction leave of the material's resistance at the body's weakest node, across its weakest plane
-/// [-].
+/// Returns the fraction of the material's resistance that scatter and direction leave at the body's weakest node,
+/// across its weakest plane [-].
 double weakest_fraction_of(const WorldState& world, const Body& body) {
   double minimum = std::numeric_limits<double>::infinity();
   for (NodeId node : body.nodes) minimum = std::min(minimum, world.nodes.strength_factors[node]);
@@ -69,7 +69,7 @@ double weakest_fraction_of(const WorldState& world, const Body& body) {
   return weakness ? weakness->strength_ratio * minimum : minimum;
 }
 
-/// The component that goes on as the body itself: a supported one before a free one, then the largest.
+/// Returns the component that continues as the body itself: a supported one before a free one, then the largest.
 std::size_t surviving_piece(const WorldState& world, const std::vector<std::vector<TetId>>& components) {
   const auto rank = [&](const std::vector<TetId>& tets) {
     const bool held = std::any_of(tets.begin(), tets.end(), [&](TetId tet) {
@@ -87,7 +87,7 @@ std::size_t surviving_piece(const WorldState& world, const std::vector<std::vect
 
 constexpr double kVisibleStrain = 1e-3;
 
-/// Speed of nodes below which waves do not come near a stress [m/s]: half of the σ/(ρc) that makes it.
+/// Returns the node speed below which waves stay far below a stress [m/s]: half of σ/(ρc).
 double speed_of_waves(const Material& material, double stress) {
   constexpr double kFraction = 0.5;
   return kFraction * stress / (material.density * bar_wave_speed(material));
@@ -114,13 +114,13 @@ double harmful_impact_speed(const WorldState& world, const Body& body) {
 
 double min_breaking_stress(const WorldState& world, const Body& body, bool at_crack_front) {
   const Material& material = world.material_of(body);
-  const double minimum = body.weakest_fraction * resistance(material, at_crack_front, body.element_size);
+  const double minimum = body.weakest_fraction * screening_resistance(material, at_crack_front, body.element_size);
   const bool is_force = material.criterion == FractureCriterion::separation_force;
   return is_force ? minimum / (body.element_size * body.element_size) : minimum;
 }
 
 double visible_stress(const WorldState& world, const Body& body) {
-  constexpr std::size_t kDebris = 20;  // tets: of so few it is seen less than it costs
+  constexpr std::size_t kDebris = 20;  // tets: the shape of fewer is not worth its cost
   if (body.tets.size() <= kDebris) return std::numeric_limits<double>::infinity();
   return kVisibleStrain * world.material_of(body).young_modulus;
 }

@@ -10,13 +10,13 @@
 namespace griffith {
 namespace {
 
-/// Few tets or splinters make debris, whose exact shape is seen less than it costs.
+/// Few tets or splinters are debris, whose exact shape is not worth its cost.
 constexpr std::size_t kSmallPiece = 20;
 constexpr double kSmallPieceFill = 0.5, kFill = 0.9;
 
 double fill_of(std::size_t pieces) { return pieces <= kSmallPiece ? kSmallPieceFill : kFill; }
 
-/// The splinters whose owners are the body's.
+/// Returns the splinters of a body.
 std::vector<SplinterId> owned_splinters(const WorldState& world, const Body& body) {
   const SplinterSet& set = world.model->splinters;
   std::vector<SplinterId> owned;

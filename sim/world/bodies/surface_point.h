@@ -6,7 +6,7 @@
 
 namespace griffith {
 
-/// A point of a body's surface: corners of a face and their barycentric weights (they add up to 1).
+/// Point of a body's surface: corners of a face and their barycentric weights, whose sum is 1.
 struct SurfacePoint {
   std::array<NodeId, 3> nodes;
   Vec3 weights = Vec3::Zero();
@@ -16,14 +16,14 @@ struct SurfacePoint {
 class SurfaceSearch {
  public:
   SurfaceSearch(const WorldState& world, const Body& body);
-  /// The point of the surface closest to `position` [m], of several the one on the first face.
+  /// Returns the point of the surface closest to `position` [m]; if there are several, the one on the first face.
   SurfacePoint closest(const Vec3& position) const;
 
  private:
   const WorldState& world_;
   const Body& body_;
   NodeVectors centers_;    // of the faces
-  Eigen::VectorXd radii_;  // of spheres about the centers that hold their faces
+  Eigen::VectorXd radii_;  // radii of spheres about the centers that contain their faces
 };
 
 }  // namespace griffith

@@ -16,7 +16,7 @@ bool all_marked(const TetSoup& soup, int tet, const std::vector<std::uint8_t>& m
   return true;
 }
 
-/// The first corner at each marked node.
+/// Returns the first corner at each marked node.
 std::vector<TetCorner> one_corner_a_node(const RestBody& body, std::vector<std::uint8_t> marked) {
   std::vector<TetCorner> corners;
   for (const TetCorner& corner : corners_at(body, marked)) {
@@ -75,7 +75,7 @@ const char* loaded_things(LoadKind kind) {
   return "";
 }
 
-/// The outward area vector of a face [m²] with its nodes at `positions`.
+/// Returns the outward area vector of a face [m²] with its nodes at `positions`.
 Vec3 area_vector(std::span<const Vec3> positions, const std::array<NodeId, 3>& nodes) {
   const Vec3& origin = positions[nodes[0]];
   return 0.5 * (positions[nodes[1]] - origin).cross(positions[nodes[2]] - origin);
@@ -115,7 +115,7 @@ void add_dead_load(const WorldState& world, const PlacedLoad& placed, double fac
   }
 }
 
-/// When a load stops acting [s].
+/// Returns the time at which a load stops acting [s].
 double end_of(const Load& load) {
   return load.duration ? load.start + *load.duration : std::numeric_limits<double>::infinity();
 }

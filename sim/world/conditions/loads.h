@@ -8,15 +8,15 @@ namespace griffith {
 
 struct WorldState;
 
-/// A load and what it acts on: one of the three lists, by its kind.
+/// Load and the place where it acts: one of the three lists, depending on its kind.
 struct PlacedLoad {
   Load load;
   std::vector<TetCorner> corners;  ///< one a node: the force stays with this piece of material
-  std::vector<SurfaceFace> faces;  ///< of the surface before anything broke
+  std::vector<SurfaceFace> faces;  ///< faces of the unbroken surface
   std::vector<TetId> tets;
 };
 
-/// A moment, or what lies between two [s].
+/// Moment, or interval between two moments [s].
 struct TimeSpan {
   double from = 0, to = 0;
 
@@ -25,8 +25,8 @@ struct TimeSpan {
   double duration() const { return to - from; }
 };
 
-/// The part of a load that acts at a moment, or the mean part that acts over a span: 0 before its start and after its
-/// end, else up to 1. The mean is exact, however short the load, so that a step of any length gives its impulse.
+/// Returns the fraction of a load that acts at a moment, or on average over a span: 0 before its start and after its
+/// end, else up to 1. The mean is exact for loads of any duration, so a step of any length gives its impulse.
 double load_factor(const Load& load, const TimeSpan& span);
 /// True if the part that acts will change after `time` [s].
 bool changes_after(const Load& load, double time);
@@ -34,11 +34,12 @@ bool changes_after(const Load& load, double time);
 /// Finds what a body's loads act on; one that acts on nothing becomes a finding.
 void place_loads(WorldState& world, int scene_body, const RestBody& body, std::vector<InputError>& findings);
 
-/// Ends the rest of rigid bodies on which a load acts otherwise over `next` than over `last`.
+/// Makes rigid bodies elastic on which a load differs between `next` and `last`.
 void make_loaded_bodies_elastic(WorldState& world, const TimeSpan& last, const TimeSpan& next);
-/// Bodies, by BodyId, that loads strain at some time in `span`. A body force on all of a body strains nothing.
+/// Returns, by BodyId, whether loads strain a body at some time in `span`. A body force on a whole body strains
+/// nothing.
 std::vector<bool> strained_bodies(const WorldState& world, const TimeSpan& span);
-/// The bodies on which a load acts, ascending.
+/// Returns the bodies on which a load acts, ascending.
 std::vector<BodyId> bodies_under(const WorldState& world, const PlacedLoad& placed);
 
 /// Adds the forces of all loads at a moment, or their means over a span, to `forces`, per node [N]. Their sums are
@@ -50,12 +51,12 @@ void add_dead_forces(const WorldState& world, const TimeSpan& span, std::vector<
 /// Adds `factor` times the forces of one load where the nodes are now.
 void add_load(const WorldState& world, const PlacedLoad& placed, double factor, std::vector<Vec3>& forces);
 
-/// A face on which a pressure acts [Pa].
+/// Face under pressure [Pa].
 struct PressedFace {
   std::array<NodeId, 3> nodes;
   double pressure = 0;
 };
-/// Per body, the faces under pressure at a moment, or on average over a span.
+/// Returns, per body, the faces under pressure at a moment, or on average over a span.
 std::vector<std::vector<PressedFace>> pressed_faces(const WorldState& world, const TimeSpan& span);
 /// Adds their forces to `forces` [N] with the nodes at `positions`; both per node of the mesh.
 void add_pressure(std::span<const PressedFace> faces, std::span<const Vec3> positions, std::span<Vec3> forces);

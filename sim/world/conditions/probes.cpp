@@ -33,7 +33,7 @@ Eigen::Vector4d barycentric_weights(const TetPoints& points, const Vec3& positio
   return {1 - weights.sum(), weights.x(), weights.y(), weights.z()};
 }
 
-/// The weights of the tet's point that is closest to `position`, and its distance from there.
+/// Returns the weights of the tet's point closest to `position`, and its distance.
 std::pair<Eigen::Vector4d, double> closest_on_tet(const TetPoints& points, const Vec3& position) {
   const Eigen::Vector4d inside = barycentric_weights(points, position);
   if (inside.minCoeff() >= 0) return {inside, 0};
@@ -104,7 +104,7 @@ struct Sample {
   double utilization = 0, separation_stress = 0, eigenvalue = 0;
 };
 
-/// Cauchy stress of a tet at one of its corners [Pa].
+/// Returns the Cauchy stress of a tet at one of its corners [Pa].
 Mat3 corner_stress(const Frame& frame, const TetCorner& corner) {
   const bool is_quadratic = !frame.elements.edges.empty() && frame.elements.edges[corner.tet][0].valid();
   if (!is_quadratic) return frame.elements.stresses[corner.tet];

@@ -14,14 +14,14 @@ struct Frame;
 struct Scene;
 struct WorldState;
 
-/// One of the nodes that a probe looks at.
+/// Node of a probe.
 struct ProbedNode {
   TetCorner corner;             ///< it stays with this corner where a crack parts it
-  double weight = 0;            ///< in the probe's mean; all add up to 1
+  double weight = 0;            ///< weight in the probe's mean; their sum is 1
   std::vector<TetCorner> star;  ///< all corners at the node before anything broke
 };
 
-/// A probe and where it measures.
+/// Probe and its nodes or points.
 struct PlacedProbe {
   Probe probe;
   std::vector<ProbedNode> nodes;  ///< none where a region holds none: its values are not numbers
@@ -34,12 +34,12 @@ void place_probes(WorldState& world, int scene_body, const RestBody& body, std::
 /// Throws InputError when a probe names no body of the scene.
 void check_probes(const Scene& scene);
 
-/// "name.displacement.x [m]", …: what probe_values() gives, in its order.
+/// Returns the columns of probe_values(): "name.displacement.x [m]", …
 std::vector<std::string> probe_columns(std::span<const PlacedProbe> probes);
 
-/// The values of all probes in a frame, SI units. A node's stress is the mean of its tets', weighted by their volumes;
-/// a point's values are interpolated between the corners of its tet; a region's are means over its nodes. Reactions are
-/// sums over the probe's nodes and the copies that cracks made of them.
+/// Returns the values of all probes in a frame, SI units. A node's stress is the mean of its tets', weighted by their
+/// volumes. A point's values are interpolated between the corners of its tet; a region's are means over its nodes.
+/// Reactions are sums over the probe's nodes and the copies that cracks made of them.
 std::vector<double> probe_values(std::span<const PlacedProbe> probes, const Frame& frame);
 
 }  // namespace griffith

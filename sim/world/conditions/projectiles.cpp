@@ -15,7 +15,7 @@
 namespace griffith {
 namespace {
 
-/// The points whose hull a projectile is.
+/// Points whose hull is the shape of a projectile.
 struct Outline {
   const std::filesystem::path& folder;
   const std::string& where;
@@ -39,7 +39,7 @@ struct Outline {
   }
 };
 
-/// Corners about the center of mass, and what the solid weighs.
+/// Returns a projectile with its corners relative to the center of mass, and the mass of the solid.
 Projectile convex_projectile(const std::vector<Vec3>& points, const ProjectileBurst& burst, const std::string& where) {
   ConvexHull hull = convex_hull(points);
   if (!is_solid(hull))
@@ -65,8 +65,8 @@ Projectile sphere(const ProjectileBurst& burst) {
   return projectile;
 }
 
-/// Contacts grow with the square of a crowd: throws, about the field `where`, where many projectiles start inside one
-/// another, as they would if nothing were in the way of those before.
+/// Throws, about the field `where`, if many projectiles start inside one another, as they would if nothing moved the
+/// earlier ones: the number of contacts grows with the square of a crowd.
 void require_no_crowd(const std::vector<PendingShot>& shots, const Vec3& gravity, const std::string& where) {
   constexpr int kMaxInside = 32;
   std::vector<Vec3> velocities;

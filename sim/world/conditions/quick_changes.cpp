@@ -11,12 +11,12 @@
 namespace griffith {
 namespace {
 
-/// What of the breaking stress must come or go while a wave crosses the body.
+/// Fraction of the breaking stress that must appear or vanish while a wave crosses the body.
 constexpr double kQuickFraction = 0.1;
 
 double wave_speed(const WorldState& world, const Body& body) { return bar_wave_speed(world.material_of(body)); }
 
-/// About the stress in a body under all of a load [Pa].
+/// Returns the approximate stress in a body under a full load [Pa].
 double stress_by(const WorldState& world, const PlacedLoad& placed, const Body& body) {
   const Load& load = placed.load;
   switch (load.kind) {
@@ -35,20 +35,20 @@ double stress_by(const WorldState& world, const PlacedLoad& placed, const Body& 
 /// True if a change begins before the end of a span and ends at its start or later.
 bool touches(const TimeSpan& change, const TimeSpan& span) { return change.from < span.to && change.to >= span.from; }
 
-/// What comes or goes of the stress in a body, about that by the load that changes, while a wave crosses it [Pa].
+/// Change of the stress in a body by a changing load while a wave crosses it, approximately [Pa].
 struct StressChange {
   TimeSpan time;
   double stress = 0;
 };
 
-/// The changes of bodies.
+/// Changes of the stress of bodies.
 class Changes {
  public:
   explicit Changes(const WorldState& world) : world_(world), of_bodies_(world.bodies.size()) {}
 
   void add(const Body& body, const TimeSpan& time, double stress) { of_bodies_[body.id].push_back({time, stress}); }
 
-  /// Those that touch a span and are quick, with all others that begin while a wave crosses the body.
+  /// Returns those that touch a span and are quick, with all others that begin while a wave crosses the body.
   std::vector<QuickChange> quick(const TimeSpan& span) const {
     std::vector<QuickChange> found;
     for (const Body& body : world_.bodies)
@@ -70,7 +70,7 @@ class Changes {
   std::vector<std::vector<StressChange>> of_bodies_;
 };
 
-/// When a load grows, and when it ends [s].
+/// Returns the time span in which a load grows [s].
 TimeSpan growth_of(const Load& load) {
   const double full = load.start + load.ramp;
   return {load.start, load.duration ? std::min(full, load.start + *load.duration) : full};
@@ -79,7 +79,7 @@ double end_of_duration(const Load& load) {
   return load.duration ? load.start + *load.duration : std::numeric_limits<double>::infinity();
 }
 
-/// When a prescribed support stops [s].
+/// Returns the time at which a prescribed support stops [s].
 double stop_of(const Support& support) { return support.stop.value_or(std::numeric_limits<double>::infinity()); }
 
 bool anything_changes(const WorldState& world, const TimeSpan& span) {
@@ -94,7 +94,7 @@ bool anything_changes(const WorldState& world, const TimeSpan& span) {
          });
 }
 
-/// A static start knows the loads that act from the first.
+/// True if a static start includes a load.
 bool is_there_at_start(const WorldState& world, const Load& load, const Body& body) {
   return load_factor(load, 0) == 1 && body.supported() && world.model->scene.simulation.static_start;
 }
@@ -112,7 +112,7 @@ void add_changes(const WorldState& world, const PlacedLoad& placed, Changes& cha
   }
 }
 
-/// A support that starts or stops sends a wave of stress ρ c v into the body.
+/// Adds the stress waves ρ c v of a support that starts or stops.
 void add_changes(const WorldState& world, const PlacedSupport& placed, Changes& changes) {
   if (placed.support.kind != SupportKind::prescribed) return;
   std::vector<BodyId> held;

@@ -10,7 +10,7 @@
 namespace griffith {
 namespace {
 
-/// The mean velocity of a support's nodes over a span from `time`; the one at that moment where `dt` is 0 [s].
+/// Returns the mean velocity of a support's nodes over a span from `time`, or at that moment if `dt` is 0 [s].
 Vec3 velocity_of(const Support& support, double time, double dt) {
   if (support.kind != SupportKind::prescribed) return Vec3::Zero();
   const double left = support.stop ? *support.stop - time : std::numeric_limits<double>::infinity();
@@ -31,7 +31,7 @@ bool release(WorldState& world, NodeId node) {
   return true;
 }
 
-/// The most corners that supports hold of one of the elements.
+/// Returns the largest number of corners of one of the elements held by supports.
 long firmness(const WorldState& world, std::span<const TetId> tets) {
   long maximum = 0;
   for (const TetId tet : tets)
@@ -41,7 +41,7 @@ long firmness(const WorldState& world, std::span<const TetId> tets) {
   return maximum;
 }
 
-/// The same of the elements at a node.
+/// Returns the same for the elements at a node.
 long firmness(const WorldState& world, NodeId node) { return firmness(world, world.mesh->stars[node]); }
 
 constexpr long kFace = 3;  // corners of an element

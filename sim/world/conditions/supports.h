@@ -9,22 +9,21 @@ namespace griffith {
 
 struct WorldState;
 
-/// A support and what it holds.
+/// Support and the nodes that it holds.
 struct PlacedSupport {
   Support support;
   std::vector<TetCorner> corners;  ///< all at its nodes: where a crack parts one, it holds both, until it tears
-  bool holds_faces = false;        ///< of elements, when it was placed
+  bool holds_faces = false;        ///< true if it held faces of elements when it was placed
 };
 
 /// Finds the nodes of a body's supports, once; one that holds none becomes a finding. Then update_supports().
 void place_supports(WorldState& world, int scene_body, const RestBody& body, std::vector<InputError>& findings);
 
-/// Lets a support lose its hold on a node that would separate across the plane of unit normal `normal` although all
-/// elements lie on one side of it: then the plane is that between body and support. False where no support holds it in
-/// that direction, or it cannot tear.
+/// Releases a node from a support along the plane of unit normal `normal` between body and support, if all elements lie
+/// on one side of it. Returns false if no support holds the node in that direction, or it cannot tear.
 bool tear_off(WorldState& world, NodeId node, const Vec3& normal);
-/// Where a crack parted held nodes, the pieces that are held most firmly stay so (by an element, a face, an edge, a
-/// point), and the others tear off. Whether any did.
+/// Reassigns supports after cracks at held nodes: the pieces that are held best (by an element, a face, an edge, a
+/// point) remain held, the others tear off. Returns true if any did.
 bool reassign_supports(WorldState& world, std::span<const NodeCopy> copies);
 
 /// Sets the constraints of all held nodes for a substep of `dt` from `time` [s], or for that moment where `dt` is 0.

@@ -15,7 +15,7 @@ namespace {
 using simd::DoubleLanes;
 using FourMatrices = simd::Matrix3<DoubleLanes>;
 
-/// Four tets side by side as they are before they move.
+/// Four tets side by side before they move.
 struct FourStarts {
   FourMatrices frame, gradient;  ///< gradient: of the displacements
   simd::Symmetric3<DoubleLanes> stress;
@@ -26,7 +26,7 @@ struct FourWorks {
   DoubleLanes first, change, energy_density;
 };
 
-/// The sum of the entries in pairs of pairs, as Eigen sums.
+/// Returns the sum of the entries in pairs of pairs, like Eigen.
 DoubleLanes sum_of(const FourMatrices& m) {
   const auto& a = m.at;
   return ((a[0][0] + a[1][0]) + (a[2][0] + a[0][1])) + ((a[1][1] + a[2][1]) + (a[0][2] + (a[1][2] + a[2][2])));
@@ -102,9 +102,9 @@ FourWorks works_of(const ElasticLaw& law, const FourStarts& starts) {
   return works;
 }
 
-/// x·K x of a quadratic tet, x what its corners move by and `edges` what its offsets do: with
-/// y_v,i = x_i + 4 w_vi the displacements that corner v would see linearly, it is, with K of the linear
-/// tet, (Σ_v y_v·K y_v + Σ y_v·K Σ y_v) / 20.
+/// Returns x·K x of a quadratic tet for the displacements x of its corners and `edges` of its offsets. With y_v,i = x_i
+/// + 4 w_vi, the displacements of a linear tet with the gradient at corner v, and K of the linear tet, it is (Σ_v y_v·K
+/// y_v + Σ y_v·K Σ y_v) / 20.
 double stiffness_product(const ElasticLaw& law, const RestElement& rest, const ElementState& mean, const Corners& x,
                          const EdgeVectors& edges) {
   std::array<Corners, 5> seen = {x, x, x, x, Corners::Zero()};

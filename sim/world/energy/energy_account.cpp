@@ -22,6 +22,8 @@ constexpr std::array kEntries = {
                 &EnergyAccount::projectiles},
     EnergyEntry{"edits", "Edits", "Energy added by edits of materials during the run.", put_in, &EnergyAccount::edits},
     EnergyEntry{"plastic", "Plastic", "Work of plastic flow.", lost, &EnergyAccount::plastic},
+    EnergyEntry{"fracture", "Fracture", "Taken by opening cracks in explicit dynamics, up to G_c per area.", lost,
+                &EnergyAccount::fracture},
     EnergyEntry{"contacts", "Lost in contacts", "Friction, impacts without rebound, and rolling resistance.", lost,
                 &EnergyAccount::contacts},
     EnergyEntry{"material_damping", "Material damping", "Rayleigh damping of the materials.", lost,
@@ -40,10 +42,9 @@ constexpr std::array kEntries = {
         lost, &EnergyAccount::scaling},
     EnergyEntry{"limited", "Limited", "Removed by limits: resolved overlaps, frozen bodies.", lost,
                 &EnergyAccount::limited},
-    EnergyEntry{
-        "fracture_energy", "Fracture energy",
-        "Energy of the opened area by the fracture toughness, for comparison: opening itself takes no energy here.",
-        beside, &EnergyAccount::fracture_energy},
+    EnergyEntry{"fracture_energy", "Fracture energy",
+                "Energy of the opened area by the fracture toughness, for comparison.", beside,
+                &EnergyAccount::fracture_energy},
 };
 
 }  // namespace

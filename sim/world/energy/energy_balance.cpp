@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "sim/fracture/resistance.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/phases/motion_phase.h"
 #include "sim/world/world_state.h"
@@ -19,12 +20,6 @@ double kinetic_energy(const WorldState& world) {
   for (const Body& body : world.bodies)
     sum += body.rigid ? kinetic_energy(body.motion) : kinetic_energy_of(world, body);
   return sum;
-}
-
-/// Energy that cracks of an area take, both sides counted once: G_c = K_Ic² (1 − ν²) / E [J/m²].
-double fracture_energy(const Material& material) {
-  const double toughness = material.fracture_toughness, ratio = material.poisson_ratio;
-  return toughness * toughness * (1 - ratio * ratio) / material.young_modulus;
 }
 
 double potential_energy(const WorldState& world) {

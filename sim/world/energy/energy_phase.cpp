@@ -20,7 +20,8 @@ struct RigidImpulse {
   Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
 };
 
-/// What contacts did to everything, per ProxyId; of moved objects about their centers before they move.
+/// Returns the impulses of contacts on all objects, per ProxyId; on moving objects about their centers before they
+/// move.
 std::vector<RigidImpulse> contact_impulses(const WorldState& world) {
   std::vector<Vec3> centers(world.body_of_proxy.size(), Vec3::Zero());
   for (const Body& body : world.bodies) centers[body.proxy] = body.motion.center;
@@ -45,7 +46,7 @@ std::vector<RigidImpulse> contact_impulses(const WorldState& world) {
 
 double twice_turning_energy(const Mat3& inertia, const Vec3& spin) { return spin.dot(inertia * spin); }
 
-/// A rigid body's kick by external forces and contacts.
+/// Accounts for the velocity change of a rigid body by external forces and contacts.
 void account_rigid_contacts(WorldState& world, const Body& body, const RigidImpulse& impulse, double dt) {
   const RigidStart& start = body.start;
   const RigidMotion& now = body.motion;
@@ -63,7 +64,7 @@ void account_rigid_contacts(WorldState& world, const Body& body, const RigidImpu
   energy.loads += dt * (load.dot(mean) + start.torque.dot(mean_spin));
 }
 
-/// A projectile's kick, and its motion, which the contact world has made.
+/// Accounts for the velocity change and the motion of a projectile, made by the contact world.
 void account_projectile(WorldState& world, std::size_t index, const RigidImpulse& impulse, double dt) {
   const Projectile& projectile = world.projectiles[index];
   if (world.contact_world.asleep(projectile.object)) return;
@@ -84,7 +85,7 @@ void account_projectile(WorldState& world, std::size_t index, const RigidImpulse
   energy.time_integration += projectile.mass * world.model->scene.gravity.dot(displacement - pushed_out - dt * mean);
 }
 
-/// The stress that a tet would have if it had not yielded since.
+/// Returns the stress that a tet would have without yielding since then.
 Mat3 unyielded_stress(const WorldState& world, const Body& body, const BodySnapshot& before, double mu, int i) {
   const TetId tet = body.tets[i];
   const Mat3 stress = world.elements.states[tet].stress;
@@ -92,7 +93,7 @@ Mat3 unyielded_stress(const WorldState& world, const Body& body, const BodySnaps
   return stress + 2 * mu * (world.elements.plastic_strains[tet] - before.plastic_strains[i]);
 }
 
-/// The same of quadratic tets, `stresses` those of their corners.
+/// Returns the same for quadratic tets; `stresses` are those of their corners.
 double energy_of_quadratic_change(const WorldState& world, const Body& body, const ElasticLaw& law,
                                   const std::vector<Mat3>& stresses) {
   double sum = 0;
@@ -109,8 +110,8 @@ double energy_of_quadratic_change(const WorldState& world, const Body& body, con
   return sum;
 }
 
-/// The elastic energy of the change of strains since `before`, ½ ∫ Δσ : Δε [J]: what loads that come at once do beyond
-/// what a body takes up.
+/// Returns the elastic energy of the strain change since `before`, ½ ∫ Δσ : Δε [J]: the excess of the work of sudden
+/// loads over the energy that a body stores.
 double energy_of_change(const WorldState& world, const Body& body, const BodySnapshot& before,
                         const std::vector<Mat3>& stresses) {
   const ElasticLaw law = elastic_law(world.material_of(body));
@@ -124,7 +125,7 @@ double energy_of_change(const WorldState& world, const Body& body, const BodySna
   });
 }
 
-/// What the nodes of an elastic body did in a substep.
+/// Work on the nodes of an elastic body in a substep.
 struct NodeWorks {
   double before = 0, predicted = 0, after = 0;  ///< kinetic energy: at the start, before and after the motion [J]
   double change = 0;                            ///< kinetic energy of the change of velocities [J]
@@ -246,12 +247,12 @@ double plastic_work(const WorldState& world, const Body& body, const BodySnapsho
 
 namespace {
 
-/// The place about which the implicit step lets a body turn, and its spin by momentum balance [rad/s].
+/// Pivot of a body's rotation in the implicit step, and its spin by momentum balance [rad/s].
 struct SpinInStep {
   Vec3 place = Vec3::Zero(), spin = Vec3::Zero();
 };
 
-/// No spin where supports hold the body against turning.
+/// Returns no spin if supports prevent rotation.
 SpinInStep spin_in_step(const WorldState& world, const Body& body, const BodySnapshot& before,
                         const std::vector<Vec3>& external, double dt) {
   std::optional<Pivot> pivot;
@@ -274,8 +275,8 @@ SpinInStep spin_in_step(const WorldState& world, const Body& body, const BodySna
   return {motion.center, motion.angular_velocity};
 }
 
-/// Work of the centrifugal impulses by which the implicit step, which sees a body that turns in axes that turn along,
-/// deforms it [J]: turning the body takes it back from the spin (ElasticSystem::solve()).
+/// Returns the work of the centrifugal impulses of the implicit step [J]. The step deforms the body in axes that rotate
+/// with it; the rotation takes the work back from the spin (ElasticSystem::solve()).
 double centrifugal_work(const WorldState& world, const Body& body, const BodySnapshot& before,
                         const std::vector<Vec3>& external, double dt) {
   const auto [place, spin] = spin_in_step(world, body, before, external, dt);

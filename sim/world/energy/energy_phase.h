@@ -4,76 +4,77 @@
 #include "sim/world/energy/elastic_works.h"
 #include "sim/world/world_state.h"
 
-/// What the phases of a step tell the energy account. Works are taken over what moved: of an impulse on something rigid
-/// at the mean of its velocities before and after, which is exact; of a force on an elastic body over its displacement.
+/// Contributions of the phases of a step to the energy account. Work is taken over the actual motion: of an impulse on
+/// a rigid object at the mean of its velocities before and after, which is exact; of a force on an elastic body over
+/// its displacement.
 namespace griffith {
 
-/// Elastic energy of a body, as its elements were seen last [J].
+/// Returns the elastic energy of a body in the last states of its elements [J].
 double elastic_energy(const WorldState& world, const Body& body);
-/// Kinetic and elastic energy of a body, as it is: of a rigid one by its motion [J].
+/// Returns the kinetic and elastic energy of a body in its present state; of a rigid one by its motion [J].
 double energy_of(const WorldState& world, const Body& body);
-/// What the motion of a quadratic body's edges adds to its kinetic energy [J].
+/// Returns the part of a quadratic body's kinetic energy due to the motion of its edges [J].
 double kinetic_energy_of_edges(const WorldState& world, const Body& body);
-/// Kinetic [J].
+/// Return kinetic energy [J].
 double kinetic_energy(const RigidMotion& motion);
 double kinetic_energy(const Projectile& projectile, const RigidState& state);
 double kinetic_energy_of_projectiles(const WorldState& world);
 
-/// The account of a world that is ready to start.
+/// Opens the account of a world that is ready to start.
 void open_account(WorldState& world);
-/// What is there now, `elastic` energy of all elements among it [J]. After each step.
+/// Records the present energies, including the `elastic` energy of all elements [J], after each step.
 void close_account(WorldState& world, double elastic);
-/// What is there and the potential energy, to tell what an edit changes.
+/// Stored energy and potential energy, from which the change by an edit follows.
 struct EnergyNow {
-  double stored = 0, potential = 0, lost = 0;  ///< [J]; lost: as booked so far
+  double stored = 0, potential = 0, lost = 0;  ///< [J]; lost: as in the account so far
 };
 EnergyNow energy_now(const WorldState& world);
 void account_edit(WorldState& world, const EnergyNow& before);
 void account_launch(WorldState& world, const Projectile& projectile, const RigidState& state);
 
-/// When a substep begins.
+/// Records the start of a substep.
 void record_substep_start(WorldState& world);
-/// What contacts took from rigid bodies and projectiles, and how these fell, after their velocities were solved for a
-/// substep of `dt` [s] and before bodies move.
+/// Accounts for the energy that contacts took from rigid bodies and projectiles, and for the heights by which these
+/// fell. To be called after their velocities were solved for a substep of `dt` [s] and before bodies move.
 void account_rigid_contacts(WorldState& world, double dt);
 
-/// A body before it moves.
+/// State of a body before it moves.
 struct BodySnapshot {
   std::vector<Vec3> positions, velocities;     ///< per node of the body
   std::vector<Vec3> offsets, edge_velocities;  ///< per edge of the body
   std::vector<Mat3> plastic_strains;           ///< per tet; empty unless it yields
 };
 BodySnapshot snapshot(const WorldState& world, const Body& body);
-/// Stresses of its tets, as ElementState has them, of quadratic ones those of their corners [Pa].
+/// Returns the stresses of its tets, as in ElementState; of quadratic ones those of their corners [Pa].
 std::vector<Mat3> stresses_of(const WorldState& world, const Body& body);
 
 /// Step by which an elastic body moved.
 enum class ElasticMove { linearized, nonlinear, unconverged };
 
-/// What a substep took from an elastic body, now that it has moved from `before`: backward Euler loses the kinetic
-/// energy of the change of velocities and the elastic energy of the change of strains. `external` forces as in
+/// Returns the energy that a substep took from an elastic body, after it has moved from `before`: backward Euler loses
+/// the kinetic energy of the velocity change and the elastic energy of the strain change. `external` forces as in
 /// predict_velocities().
 EnergyAccount spent_in_move(const WorldState& world, const Body& body, const BodySnapshot& before,
                             const ElasticWorks& elastic, const std::vector<Vec3>& external, double dt,
                             ElasticMove move);
-/// What a static equilibrium took, a step without inertia, from a body that had `stresses` (stresses_of()). Prescribed
-/// supports went on for `displacement_time` [s].
+/// Returns the energy that a static equilibrium, a step without inertia, took from a body that had `stresses`
+/// (stresses_of()). Prescribed supports moved for `displacement_time` [s].
 EnergyAccount spent_in_equilibrium(const WorldState& world, const Body& body, const BodySnapshot& before,
                                    const std::vector<Mat3>& stresses, double displacement_time);
-/// What a substep took from a rigid body that has moved on from `before`.
+/// Returns the energy that a substep took from a rigid body, after it has moved from `before`.
 EnergyAccount spent_in_rigid_move(const WorldState& world, const Body& body, const RigidMotion& before, double dt);
-/// Work of yielding, since `before` [J].
+/// Returns the work of yielding since `before` [J].
 double plastic_work(const WorldState& world, const Body& body, const BodySnapshot& before);
 
-/// Counts the area of new cracks: faces of a tet that have just lost their neighbors, one side of each crack.
+/// Adds the area of new cracks: faces of a tet that have just lost their neighbors, one side of each crack.
 void account_crack(WorldState& world, TetId tet, int face);
 
-/// What obstacles of microsteps are in the world, to tell what is lost when they are taken back to it.
+/// Energy of the obstacles of microsteps in the world, from which the loss follows when they are placed back in it.
 class ObstacleAccount {
  public:
   /// Takes the velocities that they have when the microsteps begin.
   ObstacleAccount(const WorldState& world, std::span<const explicit_dynamics::Obstacle> obstacles);
-  /// Books what was lost, once they are back in the world.
+  /// Accounts for the loss, after they are back in the world.
   void record(WorldState& world, std::span<const explicit_dynamics::Obstacle> obstacles) const;
 
  private:

@@ -16,15 +16,15 @@
 namespace griffith {
 namespace {
 
-/// A node opens when its overload has lasted so long, in the time that a wave takes to cross an element.
+/// Duration of an overload after which a node separates, in the time in which a wave crosses an element.
 constexpr double kOverloadTime = 0.75;
-/// Cracks run no faster than this share of the bar wave's speed: some half of the Rayleigh wave's (Freund 1990).
+/// Largest speed of cracks as a fraction of the bar wave's: about half of the Rayleigh wave's (Freund 1990).
 constexpr double kCrackSpeed = 0.3;
-/// Elements are screened by the stress of another frame than the nodes are judged by.
+/// Safety factor of screening: the stress of elements is that of another frame than in the check of nodes.
 constexpr float kScreeningFraction = 0.97F;
-/// Elements and nodes that are judged side by side: fewer are done before another thread could start.
+/// Elements and nodes that one thread checks: fewer are done before another thread could start.
 constexpr int kGrain = 128;
-/// What the check of a node takes with the elements round it, and a crack [µs of a usual core].
+/// Work of the check of a node with the elements around it, and of a crack [µs of a typical core].
 constexpr double kCheckWork = 1, kCrackWork = 20;
 
 }  // namespace
@@ -73,7 +73,7 @@ float screening_stress(const WorldState& world, NodeId node) {
   if (!world.model->scene.simulation.fracture) return std::numeric_limits<float>::infinity();
   if (world.mesh->stars[node].size() == 1 && world.nodes.has_support[node] == 0)  // a tip: nothing to part
     return std::numeric_limits<float>::infinity();
-  double minimum = resistance_at(world, material, node);
+  double minimum = screening_resistance_at(world, material, node);
   if (const auto& weakness = world.model->weaknesses[body.scene_body]) minimum *= weakness->strength_ratio;
   if (material.criterion == FractureCriterion::separation_force) {
     double area = 0;  // v⁺ is at most half the sum of the tensile forces
@@ -91,7 +91,7 @@ void ExplicitRun::update_threshold(int index) {
       static_cast<float>(body_of(node).explicit_state->similarity) * screening_stress(world_, node);
 }
 
-/// How long a wave takes to cross an element at the node [s].
+/// Returns the time in which a wave crosses an element at the node [s].
 double ExplicitRun::transit_time(NodeId node) const {
   return element_size_at(world_, node) / slowed_wave_speed(world_, body_of(node));
 }
@@ -121,7 +121,7 @@ void ExplicitRun::update_quadratic_states(std::span<const TetId> tets, const Bod
   }
 }
 
-/// Nodes that are judged need the states of all elements round them, and places to split their stars by.
+/// Updates the states of all elements around flagged nodes, and the positions by which the nodes are split.
 void ExplicitRun::update_one_rings() {
   stale_.clear();
   for (const int index : flagged_)
@@ -195,7 +195,7 @@ void ExplicitRun::update_overload(NodeId node, double last_check) {
   if (time_ - history.since + 1e-3 * dt_ >= wait) overloaded_.push_back({utilization, node});
 }
 
-/// Nodes of these tets at which a crack ends.
+/// Returns the nodes of these tets at which a crack ends.
 std::vector<NodeId> ExplicitRun::front_among(const std::vector<TetId>& tets) const {
   std::vector<NodeId> front;
   for (const TetId tet : tets)
@@ -233,13 +233,13 @@ void ExplicitRun::open(const Overload& overload) {
   if (torn_off) world_.bodies[id].system.reset();
   wait_beside_crack(star, front, transit);
   if (rebuild_) return;
-  follow(std::span(opened_.copies).subspan(first_copy), star, neighbors);
+  follow(overload, std::span(opened_.copies).subspan(first_copy), star, neighbors);
   follow_edges(std::span(opened_.edge_copies).subspan(first_edge_copy));
   if (torn_off) constrain_again();
 }
 
-/// Nodes of the tets beside a crack count as overloaded anew once their stress is known again, and new ones at its
-/// front once it can have run there. `front`: nodes that were at a crack's front before.
+/// Delays further cracks beside a crack. Nodes of the tets beside it count as overloaded only once their stress is
+/// known again, and new ones at its front once it could have run there. `front`: nodes at the crack's front before.
 void ExplicitRun::wait_beside_crack(const std::vector<TetId>& star, const std::vector<NodeId>& front, double transit) {
   for (const TetId tet : star)
     for (const NodeId near : world_.mesh->tets[tet]) {
@@ -248,7 +248,7 @@ void ExplicitRun::wait_beside_crack(const std::vector<TetId>& star, const std::v
     }
 }
 
-/// Holds nodes and edges as supports do now.
+/// Updates the constraints of nodes and edges.
 void ExplicitRun::constrain_again() {
   for (const explicit_dynamics::ExplicitConstraint& held : explicit_bodies_.constraints())
     explicit_bodies_.constrain(held.node, world_.nodes.constraints[nodes_[held.node]]);
@@ -259,7 +259,7 @@ void ExplicitRun::constrain_again() {
   }
 }
 
-/// Parts the explicit edges as those of the mesh were parted.
+/// Splits the explicit edges like those of the mesh.
 void ExplicitRun::follow_edges(std::span<const EdgeCopy> copies) {
   const TetEdges& topology = world_.tet_edges;
   local_of_edge_.resize(world_.edges.offsets.size(), -1);
@@ -287,8 +287,8 @@ void ExplicitRun::follow_edges(std::span<const EdgeCopy> copies) {
   }
 }
 
-/// Parts the explicit nodes as those of the mesh were parted.
-void ExplicitRun::follow(std::span<const NodeCopy> copies, const std::vector<TetId>& star,
+/// Splits the explicit nodes like those of the mesh.
+void ExplicitRun::follow(const Overload& overload, std::span<const NodeCopy> copies, const std::vector<TetId>& star,
                          const std::vector<std::array<TetId, 4>>& neighbors) {
   const TetMesh& mesh = world_.mesh;
   local_of_node_.resize(mesh.rest_positions.size(), -1);
@@ -321,9 +321,11 @@ void ExplicitRun::follow(std::span<const NodeCopy> copies, const std::vector<Tet
     for (int face = 0; face < 4; ++face) {
       const TetId was = neighbors[i][face];
       if (!was.valid() || mesh.neighbors[star[i]][face].valid() || was < star[i]) continue;
-      contacts_->open(explicit_bodies_,
-                      crack_sides(mesh, star[i], face, was, slot_of_tet_[star[i]], slot_of_tet_[was]));
+      list_crack(contacts_->open(explicit_bodies_,
+                                 crack_sides(mesh, star[i], face, was, slot_of_tet_[star[i]], slot_of_tet_[was])));
     }
+  for (const auto& [original, made] : parted)
+    bond_copies(original, made, original == overload.node ? overload.utilization : 1);
   for (const TetId tet : star)
     for (const NodeId near : mesh.tets[tet])
       if (world_.nodes.at_crack_front[near]) update_threshold(local(near));

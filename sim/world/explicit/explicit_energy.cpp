@@ -8,8 +8,8 @@
 
 namespace griffith {
 
-/// What of the elastic energy of relieved slivers the microsteps do not know of [J]: that of those without stiffness,
-/// which is lost at the start; of the others, over whose strains a lower stress works more, less than nothing.
+/// Returns the elastic energy of relieved slivers that microsteps do not know of [J]: of those without stiffness, which
+/// is lost at the start; of the others, over whose strains a lower stress does more work, a negative one.
 double ExplicitRun::relieved_energy(bool at_start) const {
   double relieved = 0;
   for (int slot = 0; slot < static_cast<int>(tets_.size()); ++slot) {
@@ -52,14 +52,15 @@ void ExplicitRun::begin_account() {
   first_.regime_change = relieved_energy(true);
 }
 
-/// Ends with the forces at the end. Those of each microstep work over half of the displacements before and after it,
-/// which adds up to what elastic energy falls by: what is left are the half kicks at both ends, by as much as which the
-/// energy differs from that which the microsteps keep.
+/// Ends with the forces at the end. The forces of each microstep do work over half of the displacements before and
+/// after it, whose sum is the decrease of elastic energy. The remaining half kicks at both ends are the difference
+/// between the energy and that which the microsteps conserve.
 void ExplicitRun::end_account() {
   EnergyAccount spent;
   spent.time_integration = first_.time_integration - explicit_bodies_.half_kick_energy();
   spent.regime_change = first_.regime_change - relieved_energy(false);
   spent.contacts = contacts_->lost(explicit_bodies_, dt_);
+  spent.fracture = contacts_->fractured();
   spent.microstep_damping = explicit_bodies_.viscous_work();
   for (const explicit_dynamics::ExplicitConstraint& held : explicit_bodies_.constraints()) spent.supports += held.work;
   add_external_works(spent);

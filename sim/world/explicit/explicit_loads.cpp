@@ -5,11 +5,11 @@
 #include "sim/world/explicit/explicit_run.h"
 #include "sim/world/world_state.h"
 
-/// Loads and supports that change while microsteps go on.
+/// Loads and supports that change during microsteps.
 namespace griffith {
 
-/// The acceleration of free nodes as a whole by forces per node of the mesh [N], which strains nothing [m/s²]; zero
-/// where some are held.
+/// Returns the acceleration of free nodes as a whole by forces per node of the mesh [N], which strains nothing [m/s²];
+/// zero if some are held.
 Vec3 ExplicitRun::common_acceleration(const std::vector<NodeId>& nodes, const std::vector<Vec3>& forces) const {
   if (!std::ranges::all_of(nodes, [&](NodeId node) { return world_.nodes.constraints[node].is_free(); }))
     return Vec3::Zero();
@@ -19,7 +19,7 @@ Vec3 ExplicitRun::common_acceleration(const std::vector<NodeId>& nodes, const st
   return force / mass;
 }
 
-/// Gravity and the loads that will not change any more, per node of the mesh [N].
+/// Returns gravity and the loads without further changes, per node of the mesh [N].
 std::vector<Vec3> ExplicitRun::steady_forces() const {
   std::vector<Vec3> forces(world_.nodes.positions.size());
   for (std::size_t i = 0; i < forces.size(); ++i) forces[i] = world_.nodes.masses[i] * world_.model->scene.gravity;
@@ -29,7 +29,7 @@ std::vector<Vec3> ExplicitRun::steady_forces() const {
   return forces;
 }
 
-/// Notes what the loads that have changes ahead do to the nodes.
+/// Records the effect of loads with further changes on the nodes.
 void ExplicitRun::add_changing_loads() {
   changing_loads_.clear();
   work_of_changing_loads_ = {};
@@ -52,7 +52,7 @@ void ExplicitRun::add_changing_loads() {
   }
 }
 
-/// Lets a part of a node that a crack parted take its loads along.
+/// Copies the loads of a node that a crack split.
 void ExplicitRun::copy_loads(int node, int copy) {
   for (ChangingLoad& changing : changing_loads_) {
     const auto loaded = std::ranges::find(changing.nodes, node, &Loaded::node);
@@ -62,7 +62,7 @@ void ExplicitRun::copy_loads(int node, int copy) {
   }
 }
 
-/// Lets loads act as they do on average over a span, that of the next kick, `drifted` [s] after the last kick.
+/// Applies the mean of the loads over a span, that of the next kick, `drifted` [s] after the last kick.
 void ExplicitRun::apply_loads(const TimeSpan& span, double drifted) {
   for (ChangingLoad& changing : changing_loads_) {
     const double factor = load_factor(changing.load, span);
@@ -74,8 +74,8 @@ void ExplicitRun::apply_loads(const TimeSpan& span, double drifted) {
   }
 }
 
-/// Books the work of a load since the part that acts changed last. A kick's force works over half of the way before it
-/// and half of the way after it, as all forces of microsteps do (end_account()).
+/// Accounts for the work of a load since its acting part changed last. A kick's force does work over half of the
+/// displacement before it and half of that after it, like all forces of microsteps (end_account()).
 void ExplicitRun::account_loads(ChangingLoad& changing, double next_factor, double drifted) {
   for (Loaded& loaded : changing.nodes) {
     const Vec3 position = explicit_bodies_.position(loaded.node);

@@ -27,7 +27,7 @@ std::vector<explicit_dynamics::ConvexSolid> solids_of(const std::vector<ConvexPa
   return solids;
 }
 
-/// What surrounds the bodies in explicit dynamics, and how fine their surface is.
+/// Surroundings of the bodies in explicit dynamics, and the resolution of their surface.
 struct Surroundings {
   std::vector<Eigen::AlignedBox3d> boxes;
   double element_size = std::numeric_limits<double>::infinity();
@@ -67,7 +67,7 @@ void add_bodies(const WorldState& world, const Surroundings& near, double durati
   }
 }
 
-/// A body that sways is moved and turned as a whole to where the microsteps have brought its proxy.
+/// Moves and rotates a deformable body as a whole to the place to which the microsteps have brought its proxy.
 void carry_nodes(WorldState& world, Body& body, const RigidState& state) {
   const Mat3 turn = (state.pose.rotation * body.orientation.conjugate()).toRotationMatrix();
   const RigidMotion before = body.motion;

@@ -7,20 +7,20 @@
 
 namespace griffith {
 
-/// The rigid things that bodies in explicit dynamics may run into within `duration` [s], as they are now.
+/// Returns the rigid objects that bodies in explicit dynamics may hit within `duration` [s], in their present state.
 std::vector<explicit_dynamics::Obstacle> reachable_obstacles(const WorldState& world, double duration);
 
-/// The ground, if there is one, as something that bodies in explicit dynamics run into.
+/// Adds the ground, if there is one, as an obstacle.
 void add_ground(const WorldState& world, std::vector<explicit_dynamics::Obstacle>& obstacles);
-/// A body that keeps its shape as such a thing. `spacing`: of the points along its edges, at most [m].
+/// Returns the obstacle for a body that keeps its shape. `spacing`: largest distance of the points along its edges [m].
 explicit_dynamics::Obstacle obstacle_of(const WorldState& world, const Body& body, double spacing);
 explicit_dynamics::Obstacle obstacle_of(const WorldState& world, const Projectile& projectile, double spacing);
 
-/// Gives obstacles the velocities that what they stand for has now, before the microsteps.
+/// Sets the velocities of obstacles to the present ones of their objects, before the microsteps.
 void read_back_velocities(const WorldState& world, std::vector<explicit_dynamics::Obstacle>& obstacles);
-/// Moves what an obstacle stands for to where the microsteps have brought it.
+/// Moves the object of an obstacle to where the microsteps have brought it.
 void place_obstacle(WorldState& world, const explicit_dynamics::Obstacle& obstacle);
-/// Moves and turns a body as a whole to a place, its deformation along, and gives it velocities.
+/// Moves and rotates a body as a whole, with its deformation, to a place, and sets its velocities.
 void place_body(WorldState& world, Body& body, const RigidState& state);
 
 }  // namespace griffith

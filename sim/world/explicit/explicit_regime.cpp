@@ -41,7 +41,7 @@ void begin_explicit(WorldState& world, Body& body, double impact_speed) {
 
 namespace {
 
-/// Quick changes of what acts on bodies for microsteps within `duration` [s].
+/// Returns quick changes of loads and supports within `duration` [s] on bodies suited to microsteps.
 std::vector<QuickChange> changes_for_microsteps(const WorldState& world, double duration) {
   constexpr double kRounding = 1e-9;
   const double now = world.time, past = kRounding * world.model->scene.simulation.time_step;
@@ -60,7 +60,7 @@ double time_before_change(const WorldState& world, double maximum) {
   return time;
 }
 
-/// Lets the bodies enter in which loads and supports make waves within `duration` [s], which they follow from then on.
+/// Begins explicit dynamics of bodies in which loads and supports cause waves within `duration` [s].
 void begin_explicit_if_driven(WorldState& world, double duration) {
   for (const QuickChange& change : changes_for_microsteps(world, duration)) {
     Body& body = world.bodies[change.body];
@@ -71,8 +71,8 @@ void begin_explicit_if_driven(WorldState& world, double duration) {
   }
 }
 
-/// A piece that waves have crossed without harm moves as a whole from now on, until something strikes it: what still
-/// vibrates in it is damped at once.
+/// Makes a piece rigid that waves have crossed without damage, until the next impact: its remaining vibration is damped
+/// at once.
 void make_rigid_if_unharmed(WorldState& world, Body& body) {
   constexpr double kUnharmed = 0.25;  // of the resistance: what contacts must exceed to make it elastic again
   if (sags_visibly(world, body)) return;
@@ -81,14 +81,14 @@ void make_rigid_if_unharmed(WorldState& world, Body& body) {
   if (std::ranges::all_of(body.nodes, is_unharmed)) stop_vibration(world, body);
 }
 
-/// The time until the first of these, `maximum` where there are none [s].
+/// Returns the time until the first of these, `maximum` if there are none [s].
 double time_before(const std::vector<Impact>& impacts, double maximum) {
   double time = maximum;
   for (const Impact& impact : impacts) time = std::min(time, impact.met.time);
   return time;
 }
 
-/// Lets the bodies enter that deform in impacts within `duration` [s].
+/// Begins explicit dynamics of bodies that deform in impacts within `duration` [s].
 void begin_explicit_if_struck(WorldState& world, const std::vector<Impact>& impacts, double duration) {
   for (const Impact& impact : impacts) {
     if (impact.met.time > duration) continue;
@@ -98,7 +98,7 @@ void begin_explicit_if_struck(WorldState& world, const std::vector<Impact>& impa
   }
 }
 
-/// Leaves the rest of the step to the implicit one.
+/// Leaves the rest of the step to the implicit step.
 void cancel_explicit(WorldState& world) {
   for (Body& body : world.bodies) {
     if (!body.explicit_state) continue;

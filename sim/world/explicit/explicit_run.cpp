@@ -18,9 +18,9 @@
 namespace griffith {
 namespace {
 
-/// Overload is checked at this interval, in the time that a wave takes to cross an element.
+/// Interval between checks of overload, in the time in which a wave crosses an element.
 constexpr double kCheckInterval = 0.375;
-/// Of a microstep: a check comes no later than this after it is due.
+/// Largest delay of a check after it is due, in microsteps.
 constexpr double kLateCheck = 0.2;
 
 }  // namespace
@@ -58,6 +58,7 @@ void ExplicitRun::build(std::vector<explicit_dynamics::Obstacle> obstacles) {
   world_.report.relieved_tets = std::max(world_.report.relieved_tets, relieved);
   contacts_.emplace(explicit_bodies_, surface_of_bodies(), crack_sides(world_, tets_, group_ != 0),
                     std::move(obstacles), surfaces_, size);
+  restore_bonds();
 }
 
 void ExplicitRun::add_body(const Body& body, const std::vector<Vec3>& external) {
@@ -71,7 +72,7 @@ void ExplicitRun::add_body(const Body& body, const std::vector<Vec3>& external) 
   surfaces_.push_back({group_ == 0 ? body.scene_body : body.id.index(), world_.material_of(body).friction});
 }
 
-/// `external`: per node of the mesh [N]. What strains the body is scaled by f.
+/// Adds nodes with `external` forces (per node of the mesh [N]). The part that strains the body is scaled by f.
 void ExplicitRun::add_nodes(const std::vector<NodeId>& nodes, const Placement& placement, double f,
                             const std::vector<Vec3>& external) {
   const Vec3 common = common_acceleration(nodes, external);
@@ -173,6 +174,7 @@ bool ExplicitRun::run(double duration, double max_work) {
     if (rebuild_) {
       world_.time = time_;
       work_ += contacts_->work();
+      store_bonds();
       build({contacts_->obstacles().begin(), contacts_->obstacles().end()});
     }
   }
@@ -201,7 +203,7 @@ double ExplicitRun::work_of_elements() const {
   return kMicrostepWork * static_cast<double>(microsteps_) * linear_tets;
 }
 
-/// Counts what explicit dynamics took, for the length of the next substeps and their scaling.
+/// Records the work, from which the length of the next substeps and their scaling follow.
 void ExplicitRun::account_work() {
   world_.report.microsteps += static_cast<int>(microsteps_);
   world_.scratch.microstep_work += work();
@@ -221,7 +223,7 @@ void ExplicitRun::record_impacts() {
   }
 }
 
-/// One view for all that an obstacle does to a node: what presses on strikes at every microstep.
+/// Records one view of all impulses of an obstacle on a node: under pressure there is one in every microstep.
 void ExplicitRun::record_contact(const explicit_dynamics::MicrostepContacts::RecordedImpact& impact) {
   const NodeId node = nodes_[impact.node];
   const explicit_dynamics::Obstacle* obstacle =
@@ -257,8 +259,8 @@ void ExplicitRun::write_back() {
   }
 }
 
-/// What a relieved sliver strains beyond what it answers with stress is permanent: under its full stiffness it would
-/// give back more than was put in. `strain`: all of it [-].
+/// Makes the strain of a relieved sliver permanent as far as it has no stress: under the full stiffness it would return
+/// more energy than it received. `strain`: the total strain [-].
 void ExplicitRun::let_sliver_yield(TetId tet, const Mat3& strain) {
   world_.elements.plastic_strains[tet] = strain - elastic_strain(tet, strain) - world_.elements.similarity_strains[tet];
 }
@@ -271,6 +273,7 @@ Mat3 ExplicitRun::elastic_strain(TetId tet, const Mat3& strain) const {
 
 void ExplicitRun::finish(double duration) {
   write_back();
+  store_bonds();
   for (const explicit_dynamics::ExplicitConstraint& held : explicit_bodies_.constraints())
     world_.nodes.reactions[nodes_[held.node]] =
         held.impulse / (duration * body_of(nodes_[held.node]).explicit_state->similarity);
@@ -287,6 +290,7 @@ void ExplicitRun::finish(double duration) {
     body.explicit_state.reset();
     body.explicit_ended = time_;
   }
+  drop_parted_bonds();
 }
 
 }  // namespace griffith

@@ -15,64 +15,67 @@
 
 namespace griffith {
 
-/// Face `first_face` of a tet that lost its neighbor `second`, corner by corner beside what is there now.
+/// Returns the sides of the crack between face `first_face` of a tet and its previous neighbor `second`, corner by
+/// corner.
 explicit_dynamics::CrackSides crack_sides(const TetMesh& mesh, TetId first, int first_face, TetId second,
                                           int first_slot, int second_slot);
 
-/// Faces that cracks opened before, paired by their places at rest. `tets`: per slot, invalid in unused ones. Where
-/// bodies are `apart`, only those of one body are paired.
+/// Returns the faces that earlier cracks opened, paired by their places at rest. `tets`: per slot, invalid in unused
+/// ones. If bodies are `apart`, only those of one body are paired.
 std::vector<explicit_dynamics::CrackSides> crack_sides(const WorldState& world, std::span<const TetId> tets,
                                                        bool apart);
 
-/// Share of the stable microstep: nearer to it, the energy of the highest frequencies swings widely.
+/// Fraction of the stable microstep: closer to it, the energy of the highest frequencies oscillates widely.
 inline constexpr double kCourant = 0.5;
-/// A node that is pushed again sooner is still pressed on, in the time that a wave takes to cross an element.
+/// Interval of impulses on a node below which they count as lasting pressure, in the time in which a wave crosses an
+/// element.
 inline constexpr double kPressing = 4;
 
-/// The largest principal stress of the elements at a node up to which the node cannot be overloaded, under the full
-/// stiffness [Pa]; infinite where nothing could part.
+/// Returns the largest principal stress of the elements at a node up to which the node cannot be overloaded, under the
+/// full stiffness [Pa]; infinite if it cannot separate.
 float screening_stress(const WorldState& world, NodeId node);
 
-/// The microsteps of bodies in explicit dynamics over a part of a step, from and back to the world.
+/// Microsteps of bodies in explicit dynamics over a part of a step, from and back to the world.
 class ExplicitRun {
  public:
-  /// `obstacles`: the rigid things that the bodies of this group may run into, as they are now.
+  /// Prepares the bodies of a group. `obstacles`: the rigid objects that they may hit, in their present state.
   ExplicitRun(WorldState& world, std::vector<explicit_dynamics::Obstacle> obstacles, int group = 0);
 
-  /// Goes on for `duration` [s]: moves, pushes and cracks. False where it takes more than `max_work` [µs of a usual
-  /// core]: nothing can be made of it then.
+  /// Makes microsteps for `duration` [s], with contacts and cracks. Returns false, with an invalid state, if they take
+  /// more than `max_work` [µs of a typical core].
   bool run(double duration, double max_work);
 
-  /// Goes on until no impact and no crack has made new waves for `quiet` [s], for at most `duration` [s] in all.
-  /// Returns how long it took [s].
+  /// Makes microsteps until no impact or crack has caused new waves for `quiet` [s], for at most `duration` [s] in
+  /// total. Returns their duration [s].
   double run_until_quiet(double quiet, double duration);
 
-  /// Hands positions, velocities, reactions and pieces back to the world, after `duration` [s] in all.
+  /// Writes positions, velocities, reactions and pieces back to the world, after `duration` [s] in total.
   void finish(double duration);
 
   std::span<const explicit_dynamics::Obstacle> obstacles() { return contacts_->obstacles(); }
 
  private:
-  /// Accelerations of a node by external forces [m/s²]: as they are, and as they act on its body, which may be scaled.
+  /// Accelerations of a node by external forces [m/s²]: the real ones, and those that act on its body, which may be
+  /// scaled.
   struct External {
     Vec3 whole = Vec3::Zero(), acting = Vec3::Zero();
   };
-  /// Where a node was when it was added, and what always acts on it.
+  /// Initial position of a node, and the external accelerations that always act on it.
   struct Start {
     Vec3 position;  ///< [m]
     External steady;
   };
-  /// What a load that has changes ahead does to a node when all of it acts, and where the node was when the part that
-  /// acts changed last [m].
+  /// Effect of the full load on a node if the load has changes ahead, and the position of the node at the last change
+  /// of the acting part [m].
   struct Loaded {
     int node = 0;
     External full;
     Vec3 position;
   };
-  /// A load that has changes ahead.
+  /// Load with further changes.
   struct ChangingLoad {
     Load load;
-    double factor = 0;  ///< that acts now
+    double factor = 0;  ///< fraction that acts now
     std::vector<Loaded> nodes;
   };
   struct Overload {
@@ -102,10 +105,17 @@ class ExplicitRun {
   void open(const Overload& overload);
   void wait_beside_crack(const std::vector<TetId>& star, const std::vector<NodeId>& front, double transit);
   std::vector<NodeId> front_among(const std::vector<TetId>& tets) const;
-  void follow(std::span<const NodeCopy> copies, const std::vector<TetId>& star,
+  void follow(const Overload& overload, std::span<const NodeCopy> copies, const std::vector<TetId>& star,
               const std::vector<std::array<TetId, 4>>& neighbors);
   void follow_edges(std::span<const EdgeCopy> copies);
   void constrain_again();
+  void bond_copies(NodeId original, std::span<const NodeId> made, double utilization);
+  double front_stress(NodeId node) const;
+  void bond(const OpenFace& face, int corner, const Bond& bond);
+  void list_crack(int index);
+  void restore_bonds();
+  void store_bonds();
+  void drop_parted_bonds();
   void update_threshold(int index);
   void update_linear_states(std::span<const TetId> tets, const Body& body, std::vector<ElementState>& states);
   void update_quadratic_states(std::span<const TetId> tets, const Body& body);
@@ -139,6 +149,7 @@ class ExplicitRun {
   std::vector<int> local_of_node_, slot_of_tet_;         ///< -1 outside explicit dynamics
   std::vector<EdgeId> edges_;                            ///< per explicit edge
   std::vector<int> local_of_edge_;                       ///< -1 outside explicit dynamics
+  std::vector<int> crack_of_side_;                       ///< crack of the impacts per 4·slot + face; -1: none
   std::vector<long> seen_;                               ///< per slot: microstep at which its state was made
   std::vector<Overload> overloaded_;
   std::vector<TetId> stale_;
@@ -146,11 +157,12 @@ class ExplicitRun {
   Opened opened_;
   std::vector<Start> starts_;  ///< per explicit node
   std::vector<ChangingLoad> changing_loads_;
-  EnergyAccount work_of_changing_loads_;                         ///< what they did in this build
-  std::map<std::pair<NodeId, int>, std::size_t> contact_views_;  ///< of a node and an obstacle, among the world's
-  EnergyAccount first_;                                          ///< what an account of this build starts from
+  EnergyAccount work_of_changing_loads_;  ///< work in this build
+  std::map<std::pair<NodeId, int>, std::size_t>
+      contact_views_;    ///< index among the world's contact views, per node and obstacle
+  EnergyAccount first_;  ///< initial values of the account of this build
   double dt_ = 0, time_ = 0, min_speed_ = 0;
-  double work_ = 0;  ///< beside elements and nodes [µs of a usual core]
+  double work_ = 0;  ///< beside elements and nodes [µs of a typical core]
   long microsteps_ = 0;
   bool rebuild_ = false;  ///< the mesh has changed
 };

@@ -21,18 +21,18 @@ namespace griffith {
 namespace {
 
 constexpr double kNotYet = -std::numeric_limits<double>::infinity();
-/// What counts as overload, and for how long, in the time that a wave takes through an element: less than what a node
-/// opens under in ExplicitRun, which checks at other microsteps.
+/// Utilization that counts as overload, and its duration, in the time in which a wave crosses an element: less than
+/// required for a crack in ExplicitRun, which checks at other microsteps.
 constexpr double kOverload = 0.9, kTrialOverloadTime = 0.6;
-/// Between checks, in the time that a wave takes through an element.
+/// Interval between checks, in the time in which a wave crosses an element.
 constexpr double kTrialCheckInterval = 0.35;
 
-/// What is known of a node beside its motion.
+/// Data of a node besides its motion.
 struct TrialNode {
-  double transit = 0;                ///< of a wave through an element there [s]
+  double transit = 0;                ///< time in which a wave crosses an element there [s]
   double carried = 0;                ///< its utilization before
   double since = 0, last = kNotYet;  ///< first and last of the checks in a row that found it overloaded [s]
-  double pushed = kNotYet;           ///< when something pushed it hard last [s]
+  double pushed = kNotYet;           ///< time of the last impulse at speed on it [s]
 };
 
 class Trial {
@@ -51,7 +51,7 @@ class Trial {
     min_speed_ = std::max(min_speed_, min_impact_speed(world));
   }
 
-  /// `wait`: for no longer than this until they touch [s].
+  /// Follows the impact; ends if they do not touch within `wait` [s].
   TrialOutcome run(double wait) {
     TrialOutcome outcome;
     outcome.touched = approach(wait);
@@ -204,7 +204,7 @@ void Trial::add_obstacle(ProxyId object, double flight, std::vector<explicit_dyn
   }
 }
 
-/// Flies on until something touches: nothing is deformed yet. False where that takes longer than `wait` [s].
+/// Moves the objects until they touch: nothing is deformed yet. Returns false if that takes longer than `wait` [s].
 bool Trial::approach(double wait) {
   constexpr double kMicrosteps = 4;  // in one of these steps
   dt_ = explicit_bodies_.stable_step(kCourant);
@@ -218,10 +218,10 @@ bool Trial::approach(double wait) {
   return false;
 }
 
-/// Follows the waves until nothing new has made any for as long as explicit dynamics lasts. True if a node may have
-/// opened.
+/// Follows the waves until nothing has caused new ones for the duration of explicit dynamics. Returns true if a node
+/// may have separated.
 bool Trial::follow() {
-  constexpr double kLongest = 32;  // in such times: what is struck for ever is left to others
+  constexpr double kLongest = 32;  // in such windows: endless impacts are left to the shared microsteps
   explicit_bodies_.set_step(dt_);
   const double end = time_ + kLongest * window_;
   last_event_ = last_check_ = time_;
@@ -237,7 +237,8 @@ bool Trial::follow() {
   return true;
 }
 
-/// Looks at the nodes that may be overloaded now. True if one has been for nearly as long as it takes to open.
+/// Checks the nodes that may be overloaded. Returns true if one has been overloaded for nearly as long as its
+/// separation takes.
 bool Trial::check() {
   const double last = std::exchange(last_check_, time_);
   if (flagged_.empty()) return false;
@@ -268,7 +269,7 @@ bool Trial::note_impacts() {
   return any;
 }
 
-/// That no point of it moves faster [m/s].
+/// Returns an upper bound of the speed of its points [m/s].
 double highest_speed(const WorldState& world, ProxyId object) {
   const RigidState state = world.contact_world.state(object);
   const BodyId id = world.body_of(object);
@@ -308,7 +309,7 @@ double expected_work(const WorldState& world, const Impact& impact) {
 }
 
 TrialOutcome try_impact(const WorldState& world, const Impact& impact, const Flights& flights) {
-  // They were seen to come as near as the fastest of their points moves in the tolerance.
+  // Predictions are accurate to the motion of their fastest point within the tolerance.
   const double speed = highest_speed(world, impact.met.a) + highest_speed(world, impact.met.b);
   const double wait = 2 * impact_tolerance(world) * std::max(1.0, speed / impact.met.approach);
   return Trial(world, impact, flights).run(wait);

@@ -15,15 +15,15 @@
 namespace griffith {
 namespace {
 
-/// Of the bodies whose waves are followed alone.
+/// Group of the bodies whose waves are followed alone.
 constexpr int kAlone = 1;
 
-/// Energy of a body and in the field of gravity, but for a constant [J].
+/// Returns the energy of a body in the field of gravity, except for a constant [J].
 double energy_in_flight(const WorldState& world, const Body& body) {
   return energy_of(world, body) - body.motion.mass * world.model->scene.gravity.dot(body.motion.center);
 }
 
-/// What the world knows of the microsteps that all share, which those of a lone impact leave as it is.
+/// State of the shared microsteps, which those of a lone impact leave unchanged.
 class SharedMicrosteps {
  public:
   SharedMicrosteps(WorldState& world, double time)
@@ -65,7 +65,7 @@ void bring_together(WorldState& world, const Impact& impact, const Flights& flig
   place_proxies(world);
 }
 
-/// What the bodies that deform may run into: the other one and the ground.
+/// Returns the obstacles of the bodies that deform: the other one and the ground.
 std::vector<explicit_dynamics::Obstacle> obstacles_of(const WorldState& world, const Impact& impact) {
   double spacing = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 2; ++i)
@@ -78,7 +78,7 @@ std::vector<explicit_dynamics::Obstacle> obstacles_of(const WorldState& world, c
   return obstacles;
 }
 
-/// Lets a body whose waves were followed for `time` [s] move as a whole.
+/// Makes a body rigid whose waves were followed for `time` [s].
 void hand_back(WorldState& world, Body& body, double time) {
   end_explicit(world, body);
   stop_vibration(world, body);

@@ -6,17 +6,18 @@
 
 namespace griffith {
 
-/// What came of an impact that was followed alone.
+/// Result of an impact that was followed alone.
 struct Followed {
-  double time = 0;             ///< that its waves were followed [s]
-  std::vector<BodyId> bodies;  ///< that are ahead by it: what met, and its pieces
-  double work = 0;             ///< [µs of a usual core]
+  double time = 0;             ///< duration of its waves [s]
+  std::vector<BodyId> bodies;  ///< bodies that are ahead by it: those that met, and their pieces
+  double work = 0;             ///< [µs of a typical core]
   int microsteps = 0;
 };
 
-/// Takes the two things of an impact to where they touch, `contact` [s] after their flights, through microsteps until
-/// their waves have died out, and back to the world, in one piece each or in many, which move as a whole. All else
-/// stays as it is. Momentum is that of before, gravity being left to the step; what the energy changes by is booked.
+/// Moves the two objects of an impact to their contact, `contact` [s] after their flights, then through microsteps
+/// until their waves have died out, and back to the world, in one piece each or in many, which move as a whole. All
+/// other objects are unchanged. Momentum is conserved, gravity being left to the step; changes of energy are accounted
+/// for.
 Followed follow_impact(WorldState& world, const Impact& impact, const Flights& flights, double contact);
 
 /// Moves a free body that is awake on as if nothing touched it, or back [s].

@@ -22,35 +22,35 @@
 namespace griffith {
 namespace {
 
-/// Waves would cross the whole body so often after the last event. Pieces of it are followed as long: cracks take about
-/// that time through them.
+/// Number of times that waves would cross the whole body after the last event. Its pieces are followed for the same
+/// time, since cracks take about that long.
 constexpr double kTransits = 4;
-/// Down to here breaking speeds stay as they are; down to the least, bodies are scaled where a step would exceed its
-/// ceiling.
+/// Factors down to which bodies are scaled: to the first at unchanged breaking speeds, to the second if a step would
+/// exceed its ceiling.
 constexpr double kMinFactor = 1.0 / 16, kLeastFactor = 1.0 / 64;
-/// Impacts and spins must be slower than this share of the slowed waves.
+/// Largest speed of impacts and spins as a fraction of the slowed wave speed.
 constexpr double kImpactFraction = 0.2;
-/// The length of a microstep times the highest frequency.
+/// Length of a microstep times the highest frequency.
 constexpr double kMicrostepAtFrequency = 0.887;
-/// What each substep may spend, whatever was spent before: a share of the budget.
+/// Fraction of the budget that each substep may use, whatever was used before.
 constexpr double kMinFraction = 1.0 / 8;
-/// Scaled bodies strain more: no more than this at their strength.
+/// Largest strain of a scaled body at its strength.
 constexpr double kMaxStrain = 0.02;
-/// Explicit dynamics that this share of the budget left can follow to its end is followed as it is.
+/// Fraction of the remaining budget within which explicit dynamics is followed to its end without scaling.
 constexpr double kUnscaledFraction = 0.5;
-/// Work of a step's microsteps at most, in budgets, but not less than the least [µs]: a small budget asks for scaling,
-/// not for less than that leaves. And the share of it that is too little to go on with.
+/// Largest work of a step's microsteps in budgets, and its lower limit [µs], since a small budget requests scaling and
+/// nothing else; the fraction of it that is too little to continue.
 constexpr double kCeiling = 20, kLeastCeiling = 5e4, kSpentFraction = 0.005;
-/// Of the work left, what a substep is planned to take.
+/// Fraction of the remaining work that a substep is planned to take.
 constexpr double kPlanned = 0.4;
 
-/// The least f, and what asks for it.
+/// Least f, and its reason.
 struct LeastFactor {
   double factor = 0;
   ScalingLimit limit = ScalingLimit::least;
 };
 
-/// `least`: for what is slow and strains little.
+/// Returns the least f of a body, at least `least`.
 LeastFactor min_factor(const WorldState& world, const Body& body, double least) {
   const Material& material = world.material_of(body);
   // Flow has its own pace; strains without stress are of whole elements, which scaled quadratic ones would need at
@@ -66,8 +66,8 @@ LeastFactor min_factor(const WorldState& world, const Body& body, double least) 
   return needed.factor > least ? LeastFactor{std::min(needed.factor, 1.0), needed.limit} : LeastFactor{least};
 }
 
-/// Where a body is, to tell its deformation from: a free one where it fits best, one that swings about its pivot, any
-/// other at its place at rest.
+/// Returns the placement from which a body's deformation is measured: that of the best fit for a free body, about its
+/// pivot for one that swings, and that at rest for any other.
 Placement frame_of(const WorldState& world, const Body& body) {
   if (!body.supported()) return placement_of(world, body.nodes);
   const auto pivot = pivot_of(world, body);
@@ -82,7 +82,7 @@ Vec3 displacement(const WorldState& world, const Placement& frame, NodeId node) 
   return frame.turn.transpose() * (world.nodes.positions[node] - frame.to_world(world.mesh->rest_positions[node]));
 }
 
-/// That of the body as it would be under the full stiffness.
+/// Returns the displacement that a node would have under the full stiffness.
 Vec3 unscaled_displacement(const WorldState& world, const Body& body, const Placement& frame, NodeId node) {
   const Vec3& start = world.nodes.similarity_starts[node];
   const double f = body.explicit_state->similarity;
@@ -90,20 +90,20 @@ Vec3 unscaled_displacement(const WorldState& world, const Body& body, const Plac
   return f == 1 ? now : Vec3(start + f * (now - start));
 }
 
-/// Center and angular momentum as before a change of shape.
+/// Restores the center and angular momentum after a change of shape.
 void keep_momentum(WorldState& world, const Body& body, const RigidMotion& before) {
   const Vec3 shift = before.center - motion_of(world, body).center;
   for (const NodeId node : body.nodes) world.nodes.positions[node] += shift;
   restore_angular_momentum(world, body, before);
 }
 
-/// What the microsteps of all bodies in explicit dynamics come to.
+/// Work of the microsteps of all bodies in explicit dynamics.
 struct Demand {
   int tets = 0;
-  double slots = 0;              ///< of elements that are computed side by side, with places that pieces leave unused;
-                                 ///< quadratic ones count as many linear ones as take as long
-  double microsteps = 0;         ///< of what is left of the step
-  double highest_frequency = 0;  ///< as slowed now [rad/s]
+  double slots = 0;  ///< slots of elements that are computed side by side, including unused ones of pieces; quadratic
+                     ///< ones count as many linear ones as take as long
+  double microsteps = 0;         ///< microsteps in the rest of the step
+  double highest_frequency = 0;  ///< highest frequency of the slowed bodies [rad/s]
   double overhead = 1;           ///< see WorldState::explicit_overhead
 
   double work_of_microstep() const { return overhead * kMicrostepWork * slots; }  ///< [µs]
@@ -126,7 +126,7 @@ Demand demand_of(const WorldState& world, double left) {
   return demand;
 }
 
-/// The next substep of a step that has `left` [s] to go, however much work it takes [s].
+/// Returns the length of the next substep of a step with `left` [s] to go, without a limit of its work [s].
 double unlimited_substep(const WorldState& world, double left) {
   constexpr double kShortest = 1.0 / 16;  // of a time step
   const double time_step = world.model->scene.simulation.time_step, work = demand_of(world, left).work();
@@ -134,7 +134,7 @@ double unlimited_substep(const WorldState& world, double left) {
   return std::min(left, std::max({kShortest * time_step, time_step - left, time_to_follow(world), as_last_step}));
 }
 
-/// Work of a step's microsteps at most [µs of a usual core].
+/// Returns the largest work of a step's microsteps [µs of a typical core].
 double ceiling_of(const WorldState& world) {
   return std::max(kLeastCeiling, 1e3 * kCeiling * world.model->scene.simulation.step_budget);
 }
@@ -144,7 +144,7 @@ double microsteps_left(const WorldState& world) {
   return std::min(kPerMillisecond * world.model->scene.simulation.step_budget, kMost) - world.report.microsteps;
 }
 
-/// What the user is told of a body that is not followed under its full stiffness.
+/// Returns the user's record of a body that is not followed under its full stiffness.
 ScaledImpact scaled_impact(const WorldState& world, const Body& body) {
   const Material& material = world.material_of(body);
   const double f = body.explicit_state->similarity;
@@ -226,9 +226,9 @@ double planned_substep(const WorldState& world, double left) {
 
 namespace {
 
-/// Per scene body: the least index of those in explicit dynamics that it may meet within `duration` [s], straight or
-/// through others. They share one f: where waves are slowed in one of two bodies alone, its faces give way too far to
-/// the other's.
+/// Returns, per scene body, the smallest index of those in explicit dynamics that it may meet within `duration` [s],
+/// directly or through others. These share one f: if waves are slowed in only one of two bodies, its faces yield too
+/// far to the other's.
 std::vector<int> explicit_groups(const WorldState& world, double duration) {
   const int count = static_cast<int>(world.model->scene.bodies.size());
   std::vector<Eigen::AlignedBox3d> boxes(count);
@@ -246,21 +246,21 @@ std::vector<int> explicit_groups(const WorldState& world, double duration) {
   return contact::connected_groups(count, meetings);
 }
 
-/// What the bodies of a group ask for.
+/// Demands of the bodies of a group.
 struct GroupDemand {
   LeastFactor usual;  ///< with breaking speeds as they are
   double least_factor = 0, similarity = 1;
   double highest_frequency = 0;        ///< [rad/s]
-  std::optional<ScaledImpact> scaled;  ///< of the slowest
+  std::optional<ScaledImpact> scaled;  ///< record of the slowest body
 
-  /// The f at which no frequency exceeds `affordable` [rad/s] and nobody's waves run faster than another's by now, as
-  /// far as breaking speeds stay as they are; less where frequencies would exceed `ceiling` [rad/s].
+  /// Returns the f at which no frequency exceeds `affordable` [rad/s] and no body has faster waves than before, at
+  /// unchanged breaking speeds; less if frequencies would exceed `ceiling` [rad/s].
   double factor(double affordable, double ceiling) const {
     return std::max(least_factor, std::min(usual_factor(affordable), ceiling / highest_frequency));
   }
   double usual_factor(double affordable) const { return std::max(usual.factor, affordable_factor(affordable)); }
   double affordable_factor(double affordable) const { return std::min(affordable / highest_frequency, similarity); }
-  /// Reason for the user. `budget`: of the whole step.
+  /// Returns the reason for the user. `budget`: record of the whole step.
   ScaledImpact report(double affordable, const ScaledImpact& budget) const {
     ScaledImpact impact = affordable / highest_frequency < similarity ? budget : scaled.value_or(budget);
     if (usual_factor(affordable) > affordable_factor(affordable)) impact.limit = usual.limit;
@@ -341,7 +341,7 @@ void set_similarity(WorldState& world, Body& body, double factor) {
 
 namespace {
 
-/// The shape that belongs to a body's stress under its full stiffness; momentum and the places of supports stay.
+/// Sets the shape that belongs to a body's stress under its full stiffness. Keeps momentum and the places of supports.
 void restore_unscaled_shape(WorldState& world, Body& body) {
   const RigidMotion before = motion_of(world, body);
   const Placement frame = frame_of(world, body);
@@ -356,13 +356,13 @@ void restore_unscaled_shape(WorldState& world, Body& body) {
   update_elements(world, body);
 }
 
-/// ε = C⁻¹ σ.
+/// Returns ε = C⁻¹ σ.
 Mat3 strain_of(const ElasticLaw& law, const Mat3& stress) {
   const double fraction = law.lambda / (3 * law.lambda + 2 * law.mu);
   return (stress - fraction * stress.trace() * Mat3::Identity()) / (2 * law.mu);
 }
 
-/// The shape and stress that a body had: what of its strain the full stiffness does not explain is permanent.
+/// Restores the shape and stress of a body: strain beyond that of the full stiffness is permanent.
 void keep_shape(WorldState& world, const Body& body, const BodySnapshot& before, const std::vector<Mat3>& stresses) {
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     world.nodes.positions[body.nodes[i]] = before.positions[i];

@@ -12,20 +12,20 @@
 namespace griffith {
 namespace {
 
-/// What the trial of an impact, or following it alone, may take of a step's budget.
+/// Fraction of a step's budget for the trial of an impact, or for following it alone.
 constexpr double kShareOfBudget = 1.0 / 8;
 
 std::pair<ProxyId, ProxyId> key_of(const Impact& impact) { return std::minmax(impact.met.a, impact.met.b); }
 
 double work_of_one(const WorldState& world) { return 1e3 * kShareOfBudget * world.model->scene.simulation.step_budget; }
 
-/// Pieces of one body touch in microsteps that all share where cracks parted them alone.
+/// True if two pieces belong to one scene body: they touch in shared microsteps if only cracks separated them.
 bool are_of_one_body(const WorldState& world, const Impact& impact) {
   const auto [a, b] = impact.bodies;
   return a.valid() && b.valid() && world.bodies[a].scene_body == world.bodies[b].scene_body;
 }
 
-/// True if the waves of an impact end in a small part of a step: in shorter ones they are to be seen.
+/// True if the waves of an impact end within a small part of a step: in short steps they are visible.
 bool is_short(const WorldState& world, const Impact& impact) {
   constexpr double kLongest = 1.0 / 8;  // of a step
   const double longest = kLongest * world.model->scene.simulation.time_step;
@@ -97,8 +97,8 @@ std::vector<Impact> StepImpacts::find(const WorldState& world, double duration) 
   return shared;
 }
 
-/// Lets the free bodies that harmless impacts await, and no load strains, move as a whole: the mean force of an impact
-/// in a step says nothing of its stress.
+/// Makes free bodies rigid for which only safe impacts and no straining loads are ahead: the mean force of an impact in
+/// a step does not predict its stress.
 void StepImpacts::turn_rigid(WorldState& world) {
   const double time_step = world.model->scene.simulation.time_step;
   const std::vector<bool> strained = strained_bodies(world, {world.time, world.time + time_step});

@@ -9,30 +9,30 @@
 
 namespace griffith {
 
-/// The impacts of a step. Those of bodies with each other and with the ground are judged one by one, as what two things
-/// do to each other while waves cross them depends on no one else: most are harmless, and are left to contacts. Of the
-/// others,
-///   those between free bodies of few elements are followed alone: the two things by microsteps, at the time of their
-///     impact, ahead of all else; what remains of the step, they make with all others;
-///   those of bodies that supports hold, or that would take much work, are shared: the step is cut at them.
+/// Impacts of a step. Those of bodies with each other and with the ground are examined one by one, since the effect of
+/// two objects on each other while waves cross them is independent of all others. Most cause no damage and are left to
+/// contacts. Of the others,
+///   those between free bodies of few elements are followed alone: the two objects by microsteps, at the time of their
+///     impact, ahead of all others; they take part in the rest of the step;
+///   those of supported bodies, or with much work, are shared: the step is divided at them.
 /// Those of projectiles are shared, too.
 class StepImpacts {
  public:
-  /// Finds and judges what will meet within `duration` [s]. Returns the impacts that are shared.
+  /// Finds and examines impacts within `duration` [s]. Returns the impacts that are shared.
   std::vector<Impact> find(const WorldState& world, double duration);
-  /// Follows those that go alone within `duration` [s], the first ones first. Bodies of harmless ones turn rigid.
+  /// Follows those that go alone within `duration` [s], in order of time. Bodies of safe ones become rigid.
   void follow_alone(WorldState& world, double duration);
-  /// Takes the bodies that are ahead back by that time, once all have moved by a substep.
+  /// Moves the bodies that are ahead back by that time, after all have moved by a substep.
   void catch_up(WorldState& world);
 
-  double work() const { return work_; }           ///< that all took so far [µs of a usual core]
-  int microsteps() const { return microsteps_; }  ///< of impacts that were followed alone
+  double work() const { return work_; }           ///< work of all so far [µs of a typical core]
+  int microsteps() const { return microsteps_; }  ///< number of microsteps of impacts followed alone
 
  private:
-  /// A harmful impact of bodies that need no one else.
+  /// Harmful impact that can be followed without other bodies.
   struct Alone {
     Impact impact;
-    double contact = 0;  ///< from when they are seen to strike until they touch [s]
+    double contact = 0;  ///< time from the predicted impact to the contact [s]
   };
   bool is_safe(const Impact& impact) const;
   bool goes_alone(const WorldState& world, const Impact& impact) const;
@@ -42,8 +42,8 @@ class StepImpacts {
 
   std::map<std::pair<ProxyId, ProxyId>, double> safe_speeds_;  ///< speeds of impacts that were tried [m/s]
   std::vector<Alone> alone_;
-  std::vector<BodyId> safe_bodies_;  ///< of harmless impacts
-  std::map<BodyId, double> ahead_;   ///< by how much a body is ahead of all others [s]
+  std::vector<BodyId> safe_bodies_;  ///< bodies of safe impacts
+  std::map<BodyId, double> ahead_;   ///< time by which a body is ahead of all others [s]
   double work_ = 0;
   int microsteps_ = 0;
 };

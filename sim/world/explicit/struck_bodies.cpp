@@ -44,14 +44,14 @@ bool is_shot(const WorldState& world, const Impact& impact) {
 
 namespace {
 
-/// True if a body that strikes another, and is not hurt itself, must deform too: as a rigid one it would strike up to
-/// twice as hard. In one that is much heavier, waves spread so far that it hardly gives way.
+/// True if a body that hits another without damage to itself must deform too: as a rigid one it would hit up to twice
+/// as hard. In a much heavier one, waves spread so far that it hardly deforms.
 bool yields_to(const Body& body, const Body& struck) {
   constexpr double kMuchHeavier = 8;
   return body.motion.mass < kMuchHeavier * struck.motion.mass;
 }
 
-/// Who is hurt in meetings. What it asks of a body is found once.
+/// Finds which bodies an impact could damage. Data of a body are computed once.
 class ImpactClassifier {
  public:
   explicit ImpactClassifier(const WorldState& world) : world_(world), known_(world.bodies.size()) {}

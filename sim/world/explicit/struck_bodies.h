@@ -7,7 +7,7 @@
 
 namespace griffith {
 
-/// A meeting that could hurt one of two things by waves.
+/// Impact that could damage one of two objects by waves.
 struct Impact {
   ContactWorld::Encounter met;
   std::array<BodyId, 2> bodies;   ///< invalid: a projectile or the ground
@@ -26,8 +26,8 @@ bool suits_microsteps(const WorldState& world, const Body& body, double impact_s
 /// True if two pieces of one body have just parted: what they do to each other then is no impact.
 bool have_just_parted(const WorldState& world, BodyId a, BodyId b);
 
-/// Meetings within `duration` [s] that are fast enough to hurt bodies that are not in explicit dynamics yet. What else
-/// strikes, debris mostly, is caught by the implicit step.
+/// Returns the impacts within `duration` [s] that are fast enough to damage bodies not in explicit dynamics yet. All
+/// others, mostly of debris, are left to the implicit step.
 std::vector<Impact> harmful_impacts(const WorldState& world, double duration);
 
 }  // namespace griffith

@@ -1,5 +1,11 @@
 #include "sim/world/explicit/trial_loads.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "sim/fracture/crack_front.h"
+#include "sim/fracture/resistance.h"
+#include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/phases/separation_phase.h"
 
@@ -36,8 +42,7 @@ void TrialLoads::find_state(int slot) {
   is_known_[slot] = true;
   const TetId tet = parts_.tets[slot];
   const ElasticLaw law = elastic_law(world_.material_of(world_.bodies[world_.elements.bodies[tet]]));
-  Corners corners;
-  for (int i = 0; i < 4; ++i) corners.col(i) = explicit_bodies_.position(explicit_bodies_.corner(slot, i));
+  const Corners corners = this->corners(slot);
   Mat3 permanent = world_.elements.stress_free_strain(tet);
   if (world_.tet_edges->is_quadratic(tet)) {
     EdgeVectors offsets;
@@ -68,8 +73,31 @@ double TrialLoads::utilization(int index) {
   if (weakness) strength = strength_at(input, local, *weakness);
   const CandidatePlane plane =
       candidate_planes(node_loads(input, std::span(&local, 1)), {strength, strength, strength, strength})[0];
-  const double load = material.criterion == FractureCriterion::strength ? plane.stress : plane.eigenvalue;
-  return load / (strength.fraction(plane.normal) * resistance_at(world_, material, node));
+  const bool by_stress = material.criterion == FractureCriterion::strength;
+  const double fraction = strength.fraction(plane.normal);
+  const double load = by_stress ? plane.stress : plane.eigenvalue;
+  const double utilization = load / (fraction * resistance(material, world_.nodes.strength_factors[node]));
+  if (!by_stress || world_.nodes.at_crack_front[node] == 0) return utilization;
+  return std::max(utilization, std::sqrt(energy_release(index, plane.normal) / fracture_energy(material, fraction)));
+}
+
+/// Returns the energy release rate of a crack that advances across a plane through a node [J/m²].
+double TrialLoads::energy_release(int index, const Vec3& normal) const {
+  const NodeId node = parts_.nodes[index];
+  std::vector<Corners> star;
+  std::vector<Vec3> forces;
+  for (const TetId slot : stars_[index]) {
+    star.push_back(corners(slot.index()));
+    forces.push_back(
+        corner_force(rest_elements_[slot], states_[slot], local_corner(world_.mesh, parts_.tets[slot.index()], node)));
+  }
+  return energy_release_rate(world_.mesh, node, star, forces, normal);
+}
+
+Corners TrialLoads::corners(int slot) const {
+  Corners corners;
+  for (int i = 0; i < 4; ++i) corners.col(i) = explicit_bodies_.position(explicit_bodies_.corner(slot, i));
+  return corners;
 }
 
 }  // namespace griffith

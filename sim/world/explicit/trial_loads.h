@@ -11,7 +11,7 @@
 
 namespace griffith {
 
-/// What each part of explicit bodies stands for in the world.
+/// World's counterpart of each part of explicit bodies.
 struct TrialParts {
   std::vector<NodeId> nodes;              ///< per explicit node
   std::vector<TetId> tets;                ///< per slot; invalid in unused ones
@@ -19,19 +19,20 @@ struct TrialParts {
   std::vector<Mat3> turns;                ///< per explicit body, from its place at rest
 };
 
-/// The utilization of nodes of explicit bodies that move apart from the world: as ExplicitRun judges them, without
-/// writing to the world.
+/// Utilization of explicit nodes that move apart from the world, as in ExplicitRun, without writing to the world.
 class TrialLoads {
  public:
   TrialLoads(const WorldState& world, const explicit_dynamics::ExplicitBodies& explicit_bodies,
              const TrialParts& parts);
-  /// Has all elements seen anew from now on: they have moved.
+  /// Marks the states of all elements as outdated, after they have moved.
   void forget() { std::fill(is_known_.begin(), is_known_.end(), false); }
-  /// That of a node by the stresses of the elements round it now.
+  /// Returns the utilization of a node by the present stresses of the elements around it.
   double utilization(int node);
 
  private:
   void find_state(int slot);
+  double energy_release(int node, const Vec3& normal) const;
+  Corners corners(int slot) const;
 
   const WorldState& world_;
   const explicit_dynamics::ExplicitBodies& explicit_bodies_;

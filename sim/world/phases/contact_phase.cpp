@@ -33,14 +33,14 @@ bool could_deform(const WorldState& world, const Body& body, double force) {
   return stress > std::min(kWakingFraction * min_breaking_stress(world, body, true), visible_stress(world, body));
 }
 
-/// True if whoever is hurt by a contact was found before the step: impacts have their own phase, and the mean force of
-/// one in a long step says nothing. What is too soft for microsteps is left to the implicit step.
+/// True if the damage by a contact was predicted before the step: impacts have their own phase, and their mean force in
+/// a long step does not predict it. Bodies too soft for microsteps are left to the implicit step.
 bool is_left_to_microsteps(const WorldState& world, const Body& body, const Contact& contact) {
   return world.model->scene.simulation.integrator == Integrator::hybrid && contact.approach > min_impact_speed(world) &&
          (!deforms_visibly(world, body) || suits_microsteps(world, body, 0));
 }
 
-/// What another object does to a body in a substep of `dt` [N].
+/// Returns the force of another object on a body in a substep of `dt` [N].
 Vec3 load_of(const WorldState& world, const Body& body, ProxyId other, double dt) {
   Vec3 force = Vec3::Zero();
   for (const Contact& contact : world.contact_world.contacts()) {
@@ -50,8 +50,8 @@ Vec3 load_of(const WorldState& world, const Body& body, ProxyId other, double dt
   return force;
 }
 
-/// Whether what an object does to a rigid body is no more than it did when the body was seen to be calm: however much
-/// rests on few points then, faces spread it.
+/// True if the load of an object on a rigid body is no larger than when the body was found quiescent: loads on few
+/// points then are spread by faces.
 bool is_known_load(const WorldState& world, const Body& body, ProxyId other, double dt) {
   constexpr double kSame = 0.1;
   const auto known = std::ranges::find(body.known_contact_loads, other, &ContactLoad::other);
@@ -60,7 +60,7 @@ bool is_known_load(const WorldState& world, const Body& body, ProxyId other, dou
   return more <= kSame * known->force.norm() || !could_deform(world, body, more);
 }
 
-/// Notes what elastic bodies carry in a substep of `dt` [s]; once they are rigid it stands.
+/// Records the loads of deformable bodies in a substep of `dt` [s]; they keep the record when they become rigid.
 void record_loads(WorldState& world, double dt) {
   for (Body& body : world.bodies)
     if (body.is_deformable()) body.known_contact_loads.clear();
@@ -78,17 +78,18 @@ void record_loads(WorldState& world, double dt) {
   }
 }
 
-/// Whether a rigid or sleeping body has to sway under a contact: one that could hurt it, or the first that it meets.
+/// True if a rigid or sleeping body must deform under a contact: one that could damage it, or its first.
 bool must_deform(const WorldState& world, const Body& body, const Contact& contact, double dt) {
   if (body.ballistic) return !contact.impulse.isZero(0);
   return could_deform(world, body, contact.impulse.norm() / dt) && !is_left_to_microsteps(world, body, contact) &&
          !is_known_load(world, body, contact.a == body.proxy ? contact.b : contact.a, dt);
 }
 
-/// Whether a body is as yet immovable or rigid under its contacts and need not be.
+/// True if a body is immovable or rigid under its contacts and could deform.
 bool may_deform(const Body& body) { return body.rigid ? !body.supported() : body.asleep; }
 
-/// Makes rigid and sleeping bodies sway that must under the impulses found; whether there were any.
+/// Makes rigid and sleeping bodies deformable that must deform under the impulses found. Returns true if there were
+/// any.
 bool make_struck_bodies_elastic(WorldState& world, double dt) {
   bool any = false;
   for (const Contact& contact : world.contact_world.contacts())
@@ -104,7 +105,7 @@ bool make_struck_bodies_elastic(WorldState& world, double dt) {
   return any;
 }
 
-/// Hands the motions of bodies to the contact world, but for those that it moves as rigid ones itself: per BodyId.
+/// Passes the motions of bodies to the contact world, except for those that it moves as rigid ones itself: per BodyId.
 void push_rigid_velocities(WorldState& world, const std::vector<bool>& moved = {}) {
   for (const Body& body : world.bodies) {
     if (body.asleep || body.supported() || (!moved.empty() && moved[body.id])) continue;
@@ -113,7 +114,7 @@ void push_rigid_velocities(WorldState& world, const std::vector<bool>& moved = {
   }
 }
 
-/// Deformable bodies that the contact world moved as rigid ones, per BodyId.
+/// Returns the deformable bodies that the contact world moved as rigid ones, per BodyId.
 std::vector<bool> taken_for_rigid(const WorldState& world, const TouchedBodies& touched) {
   std::vector<bool> taken(world.bodies.size(), false);
   for (const TouchedBody& of : touched.bodies) taken[of.body] = world.bodies[of.body].quasi_static;
@@ -129,7 +130,7 @@ void read_back_rigid_velocities(WorldState& world) {
   }
 }
 
-/// Changes of velocity of an elastic body's rows by nodal impulses, each node on its own.
+/// Returns the velocity changes of an elastic body's rows by nodal impulses, each node on its own.
 NodeVectors respond_explicitly(WorldState& world, const Body& body, double dt, const std::vector<Vec3>& impulses) {
   NodeArrays& nodes = world.nodes;
   NodeVectors change = body.system->gather(impulses);
@@ -152,7 +153,7 @@ void add_changes(WorldState& world, const TouchedBody& touched) {
     world.edges.velocities[edges[i]] += touched.change.col(row);
 }
 
-/// Impulses on an elastic object at its contacts, one column each.
+/// Returns the impulses on an elastic object at its contacts, one column each.
 Eigen::Matrix3Xd impulses_on(const WorldState& world, const ElasticObject& object) {
   const std::span<const Contact> contacts = world.contact_world.contacts();
   Eigen::Matrix3Xd impulses(3, static_cast<Eigen::Index>(object.contacts.size()));
@@ -163,7 +164,7 @@ Eigen::Matrix3Xd impulses_on(const WorldState& world, const ElasticObject& objec
   return impulses;
 }
 
-/// Lets a body move as the impulses at its contacts want it.
+/// Moves a body by the impulses at its contacts.
 void respond(WorldState& world, TouchedBody& touched, const ElasticObject& object, double dt) {
   Body& body = world.bodies[touched.body];
   const Eigen::Matrix3Xd impulses = impulses_on(world, object);
@@ -245,7 +246,7 @@ std::vector<Vec3> external_forces(const WorldState& world, double dt) {
   return forces;
 }
 
-/// What touches a body in explicit dynamics is left to the microsteps.
+/// Leaves contacts of bodies in explicit dynamics to the microsteps.
 void drop_contacts_of_explicit_bodies(WorldState& world) {
   std::vector<bool> is_explicit(world.body_of_proxy.size(), false);
   for (const Body& body : world.bodies)

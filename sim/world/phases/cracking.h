@@ -9,10 +9,10 @@
 
 namespace griffith {
 
-/// What cracked, until the pieces are known.
+/// Cracks of a step, until the pieces are known.
 struct Opened {
   std::set<BodyId> bodies;
-  MotionsBefore motions;     ///< of free bodies that were remeshed
+  MotionsBefore motions;     ///< motions of free bodies before they were remeshed
   std::set<NodeId> waiting;  ///< a split relieves its neighbourhood: these wait until their stress is known again
   std::vector<NodeCopy> copies;
   std::vector<EdgeCopy> edge_copies;
@@ -20,14 +20,14 @@ struct Opened {
   std::size_t first_event = 0;
 };
 
-/// Whether crack() would find anything to part at a node: its plane may leave all elements round it on one side.
+/// True if crack() may separate a node: its plane may have all elements around it on one side.
 bool may_crack(const WorldState& world, NodeId node);
 
-/// Opens the mesh at an overloaded node, across the plane of its separation, or tears it off its support; whether
-/// anything was parted. Elements at the node need their present states.
+/// Opens the mesh at an overloaded node across its separation plane, or releases it from its support. Returns true if
+/// it did. Requires the present states of the node's elements.
 bool crack(WorldState& world, NodeId node, Opened& opened);
 
-/// Bodies, splinters and events of what has cracked.
+/// Makes bodies, splinters and events of the cracks.
 void part_opened(WorldState& world, const Opened& opened);
 
 }  // namespace griffith

@@ -17,7 +17,7 @@ namespace {
 /// Bodies and contacts of one group.
 struct Group {
   std::vector<int> contacts;  ///< indices into contacts()
-  std::vector<int> touched;   ///< of the deformable bodies, into TouchedBodies
+  std::vector<int> touched;   ///< indices of the deformable bodies in TouchedBodies
   std::vector<DeformableInertia> deformable;
   std::vector<RigidInertia> rigid;
   std::vector<FrictionContact> problem;
@@ -85,7 +85,7 @@ class GroupBuilder {
   }
 
  private:
-  /// A contact of an elastic body, and where it is in its list.
+  /// Contact of an elastic body, and its place in its list.
   struct Point {
     int contact, touched, index;
   };
@@ -102,9 +102,9 @@ class GroupBuilder {
     return touched_of(object) >= 0 && soft_[touched_of(object)];
   }
 
-  /// Least velocity of parting [m/s]. What is soft closes its gap within the substep: stopped at once, as hard bodies
-  /// are, it would stay in the air by its speed times the step. Out of the ground it comes as slowly as the
-  /// tolerance of impulses let it in, so that it gets back no more than the energy that it lost there.
+  /// Returns the least separation velocity [m/s]. A soft body closes its gap within the substep: stopped at once, like
+  /// a hard one, it would stay in the air by its speed times the step. Out of the ground it moves as slowly as the
+  /// tolerance of impulses let it in, so it receives no more energy than it lost there.
   double target_velocity(const Contact& contact, double of_law, double fastest_approach) {
     constexpr double kTolerance = 1e-3;  // of the fastest approach of the group: ten times that of its impulses
     if (!is_soft(contact.a) && !is_soft(contact.b)) return of_law;
@@ -177,7 +177,7 @@ NodeVectors columns_of(std::span<const NodeId> nodes, const std::vector<Vec3>& v
   return columns;
 }
 
-/// Quasi-static bodies that their supports let turn about a hinge or a joint.
+/// Returns quasi-static bodies that can rotate about a hinge or a joint of their supports.
 std::vector<HingedObject> hinged_objects(const WorldState& world, const TouchedBodies& touched, double dt) {
   std::vector<HingedObject> hinged;
   for (std::size_t i = 0; i < touched.bodies.size(); ++i) {
@@ -198,7 +198,7 @@ std::vector<HingedObject> hinged_objects(const WorldState& world, const TouchedB
   return hinged;
 }
 
-/// The bodies that are coupled, with their places in `touched`.
+/// Returns the coupled bodies, with their indices in `touched`.
 std::vector<ElasticObject> coupled_objects(const WorldState& world, const TouchedBodies& touched) {
   std::vector<ElasticObject> coupled;
   for (std::size_t i = 0; i < touched.bodies.size(); ++i)

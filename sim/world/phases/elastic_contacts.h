@@ -12,7 +12,7 @@ namespace griffith {
 /// What is quasi-static takes part as a rigid body and deforms under the impulses that it got.
 void solve_elastic_contacts(WorldState& world, TouchedBodies& touched, double dt);
 
-/// What resists changes of the velocities of a body in a substep of `dt` [s].
+/// Returns the inertia of a body against velocity changes in a substep of `dt` [s].
 DeformableInertia deformable_inertia(const WorldState& world, const Body& body, double dt);
 
 }  // namespace griffith

@@ -20,8 +20,8 @@
 namespace griffith {
 namespace {
 
-/// Elastic plus external force of the body's nodes, per node of the mesh; only the body's own entries are written, as
-/// are those of `sums`.
+/// Adds elastic and external forces of the body's nodes, per node of the mesh. Writes only the body's own entries, also
+/// those of `sums`.
 void add_linear_forces(const WorldState& world, const Body& body, std::span<simd::WideQuad> sums,
                        std::vector<Vec3>& forces) {
   const ElementArrays& elements = world.elements;
@@ -38,7 +38,7 @@ void add_linear_forces(const WorldState& world, const Body& body, std::span<simd
   });
 }
 
-/// The same of a quadratic body; sets the elastic forces of its edges, per edge of the mesh [N].
+/// Does the same for a quadratic body, and sets the elastic forces of its edges, per edge of the mesh [N].
 void add_quadratic_forces(const WorldState& world, const Body& body, std::vector<Vec3>& forces,
                           std::vector<Vec3>& edge_forces) {
   const ElementArrays& elements = world.elements;
@@ -68,16 +68,16 @@ void add_elastic_forces(WorldState& world, const Body& body, std::vector<Vec3>& 
 
 namespace {
 
-/// Takes the torque of the elastic forces [N·m] out of the forces on a free body. Corotational stress is symmetric
-/// before the stretch is applied: where plastic strain and stretch have different axes, it leaves one, which would let
-/// the body spin itself up. Forces on the edges of quadratic tets have one too, which their nodes balance.
+/// Removes the torque of the elastic forces [N·m] from the forces on a free body. With F = R U, corotational stress is
+/// symmetric in the frame of R. If plastic strain and U have different axes, a torque remains that would let the body
+/// spin itself up. Forces on the edges of quadratic tets also have one, which their nodes balance.
 void remove_inner_torque(const WorldState& world, const Body& body, const Vec3& torque, std::vector<Vec3>& forces) {
   const Vec3 spin = body.motion.inertia.inverse() * torque;
   for (NodeId node : body.nodes)
     forces[node] -= world.nodes.masses[node] * spin.cross(world.nodes.positions[node] - body.motion.center);
 }
 
-/// Lets the forces on a body that swings about a pivot act where it will be half-way through a substep of `dt` [s].
+/// Rotates the forces on a body that swings about a pivot to its orientation in the middle of a substep of `dt` [s].
 void turn_forces_halfway(const WorldState& world, const Body& body, double dt, std::vector<Vec3>& forces) {
   const auto pivot = pivot_of(world, body);
   if (!pivot) return;

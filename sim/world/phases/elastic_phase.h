@@ -6,28 +6,28 @@
 
 namespace griffith {
 
-/// Elastic state of a body's tets, or of all of bodies that are not rigid.
+/// Updates the elastic state of a body's tets, or of all bodies that are not rigid.
 void update_elements(WorldState& world, const Body& body);
 void update_elements(WorldState& world);
 /// Assembles the systems of elastic bodies for a substep of `dt` [s].
 void assemble_systems(WorldState& world, double dt);
-/// Assembles the system of one body, which was rigid until now.
+/// Assembles the system of one body that was rigid before.
 void assemble_system(WorldState& world, Body& body, double dt);
-/// The velocities after a substep of `dt` under `external` and elastic forces [N] as if nothing touched; the nodes of
-/// rigid bodies keep theirs until they move.
+/// Computes the velocities after a substep of `dt` [s] under `external` and elastic forces [N] without contacts. Nodes
+/// of rigid bodies keep theirs until they move.
 void predict_velocities(WorldState& world, std::vector<Vec3> external, double dt);
-/// The same of one deformable body.
+/// Does the same for one deformable body.
 void predict_velocities(WorldState& world, Body& body, std::vector<Vec3> external, double dt);
-/// The implicit step of a body.
+/// Returns the implicit step of a body.
 ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt);
-/// The edges of all bodies, with their elastic forces of the last predict_velocities().
+/// Returns the edges of all bodies, with their elastic forces of the last predict_velocities().
 EdgeMotion edge_motion(WorldState& world);
 /// Adds the elastic forces of a body's nodes to `forces`, per node of the mesh [N]; sets Scratch::edge_forces of its
 /// edges.
 void add_elastic_forces(WorldState& world, const Body& body, std::vector<Vec3>& forces);
 /// Takes what the supports of a body did from its system, after a solve.
 void read_back_reactions(WorldState& world, const Body& body);
-/// Counts what a linear solve for a body needed.
+/// Counts the work of a linear solve for a body.
 void count_solve(WorldState& world, const SolveReport& solve);
 
 }  // namespace griffith

@@ -13,7 +13,7 @@
 namespace griffith {
 namespace {
 
-/// Lets a problem find the offsets of a quadratic body's edges, in the world as it goes.
+/// Adds a quadratic body's edges to a problem, which sets their offsets in the world.
 void add_edges(WorldState& world, const Body& body, StaticProblem& problem) {
   std::vector<QuadraticState>& quadratic = world.elements.quadratic_states.edit();
   problem.edges.emplace(StaticEdges{world.tet_edges, world.edges.offsets, quadratic});

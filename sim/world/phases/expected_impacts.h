@@ -7,15 +7,15 @@
 
 namespace griffith {
 
-/// What may strike hard enough to hurt within `duration` [s], of pairs that matter if a filter is given; see
-/// ContactWorld::expected_impacts(). Projectiles and the ground have no body.
+/// Returns the impacts within `duration` [s] that are fast enough to cause damage, only of pairs that matter if a
+/// filter is given; see ContactWorld::expected_impacts(). Projectiles and the ground have no body.
 std::vector<ContactWorld::Encounter> expected_impacts(const WorldState& world, double duration,
                                                       const std::function<bool(BodyId, BodyId)>& matters = {});
-/// The time until the first of them, `maximum` where there are none [s].
+/// Returns the time until the first of them, `maximum` if there are none [s].
 double time_before(const std::vector<ContactWorld::Encounter>& impacts, double maximum);
-/// What is nearer than this counts as now [s].
+/// Returns the time within which an impact counts as present [s].
 double impact_tolerance(const WorldState& world);
-/// No slower approach is an impact [m/s].
+/// Returns the least approach speed of an impact [m/s].
 double min_impact_speed(const WorldState& world);
 
 }  // namespace griffith

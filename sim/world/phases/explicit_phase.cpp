@@ -15,10 +15,10 @@
 namespace griffith {
 namespace {
 
-/// No more are made in a step.
+/// Largest number of substeps in a step.
 constexpr double kMaxSubsteps = 1e5;
 
-/// The highest frequency that a body's present shape has with a material [rad/s].
+/// Returns the highest frequency of a body's present shape with a material [rad/s].
 double frequency_of(const WorldState& world, const Body& body, const Material& material) {
   ElasticSystem system = *body.system;
   system.assemble(MatrixFactors{.mass = 0, .stiffness = 1}, elastic_law(material), world.elements.rest_elements,
@@ -28,14 +28,15 @@ double frequency_of(const WorldState& world, const Body& body, const Material& m
                            density_ratio * system.gather_masses(world.nodes.masses, world.edges.masses));
 }
 
-/// The longest substep in which a body of this highest frequency [rad/s] is integrated explicitly [s].
+/// Returns the longest stable substep for a body with this highest frequency [rad/s] under explicit integration [s].
 double stable_substep_at(double frequency, const Material& material) {
   // Strains of some percent raise frequencies; at half the step of the undeformed body the energy stays within 10 %.
   constexpr double kFraction = 0.5;
   return kFraction * stable_time_step(frequency, material.stiffness_damping);
 }
 
-/// Rayleigh's damping of the stiffness, −beta K v, element by element: the forces of beta times the rate of stress.
+/// Returns Rayleigh's damping of the stiffness, −beta K v, element by element: the forces of beta times the rate of
+/// stress.
 Vec3 damping_force(const WorldState& world, const ElasticLaw& law, double stiffness_damping, TetId tet, int corner) {
   const RestElement& rest = world.elements.rest_elements[tet];
   const Mat3& frame = world.elements.states[tet].frame;
@@ -47,7 +48,7 @@ Vec3 damping_force(const WorldState& world, const ElasticLaw& law, double stiffn
   return -rest.volume * stiffness_damping * (frame * (stress_rate * rest.shape_gradients.col(corner)));
 }
 
-/// The same of a quadratic body, on its edges too.
+/// Does the same for a quadratic body, including its edges.
 void add_quadratic_damping(WorldState& world, const Body& body, const ElasticLaw& law, std::vector<Vec3>& forces) {
   const double damping = world.material_of(body).stiffness_damping;
   for (const TetId tet : body.tets) {
@@ -73,7 +74,7 @@ void add_damping_forces(WorldState& world, const Body& body, std::vector<Vec3>& 
   });
 }
 
-/// The step of the edges of a quadratic body, which move as both of their ends may.
+/// Moves the edges of a quadratic body, within the constraints common to both of their ends.
 void step_edges(WorldState& world, const Body& body, double dt) {
   const double mass_damping = world.material_of(body).mass_damping;
   for (const EdgeId edge : body.edges) {

@@ -4,13 +4,12 @@
 
 namespace griffith {
 
-/// The longest substep in which explicit integration of all elastic bodies, as they are now, is stable [s]. Freezes
-/// bodies that would take more substeps a step than it makes, as those may that have slivers.
+/// Returns the longest stable substep for explicit integration of all elastic bodies in their present state [s].
+/// Freezes bodies that would exceed the limit of substeps, as those with slivers may.
 double stable_substep(WorldState& world);
-/// Throws InputError where the pieces of a scene body, of this material, would take more substeps a step than explicit
-/// integration makes.
+/// Throws InputError if the pieces of a scene body, of this material, would exceed the limit of substeps.
 void check_substep_count(const WorldState& world, int scene_body, const Material& material);
-/// Velocities of a body by explicit integration; `forces` hold the elastic and external ones.
+/// Computes the velocities of a body by explicit integration; `forces` contain the elastic and external ones.
 void predict_explicitly(WorldState& world, Body& body, std::vector<Vec3>& forces, double dt);
 
 }  // namespace griffith

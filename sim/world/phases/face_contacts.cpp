@@ -42,14 +42,14 @@ struct FaceTriangle {
   double low, high;             // along the first axis
 };
 
-/// The part of a body's surface that faces the other side of a contact, by the first axis.
+/// Part of a body's surface that faces the other side of a contact, sorted along the first axis.
 struct Face {
   std::vector<FaceNode> nodes;
   std::vector<FaceTriangle> triangles;
   double widest = 0;
 };
 
-/// Two bodies whose faces meet: `normal` from b to a, and where about.
+/// Two bodies whose faces meet, with the `normal` from b to a and an approximate place.
 struct FacePair {
   ProxyId a, b;
   Vec3 normal;
@@ -60,15 +60,15 @@ bool is_of_nodes(const Contact& contact) { return contact.node_a.valid() || cont
 
 bool is_elastic(const WorldState& world, BodyId id) { return id.valid() && world.bodies[id].is_deformable(); }
 
-/// Allowed overlap of two bodies with which their faces meet all the same [m]: detection finds overlaps of rounding
-/// where they are placed to touch. What is hard holds on the points of its proxy then.
+/// Returns the overlap of two bodies up to which their faces still meet [m]: detection finds overlaps of rounding
+/// errors between touching bodies. Harder bodies keep the points of their proxies.
 double negligible_overlap(const WorldState& world, BodyId a, BodyId b) {
   constexpr double kRounding = 1e-6;  // of an element
   const bool is_soft = deforms_visibly(world, world.bodies[a]) || deforms_visibly(world, world.bodies[b]);
   return is_soft ? kRounding * world.bodies[a].element_size : 0;
 }
 
-/// Groups of at least three detected contacts of two bodies that point alike.
+/// Returns groups of at least three detected contacts of two bodies with similar normals.
 std::vector<FacePair> face_pairs(const WorldState& world) {
   struct Group {
     FacePair pair;
@@ -96,7 +96,7 @@ std::vector<FacePair> face_pairs(const WorldState& world) {
   return pairs;
 }
 
-/// `side`: 1 for what faces along the normal, −1 for what faces against it.
+/// Returns the faces of a side: 1 for those that face along the normal, −1 for those against it.
 Face face_of(const WorldState& world, const Body& body, const FaceFrame& frame, double side,
              const Eigen::AlignedBox3d& region) {
   Face face;
@@ -125,7 +125,7 @@ Face face_of(const WorldState& world, const Body& body, const FaceFrame& frame, 
   return face;
 }
 
-/// The height of a triangle over the contact plane at a point, if it has one there.
+/// Returns the height of a triangle over the contact plane at a point; empty outside.
 std::optional<double> height_at(const FaceTriangle& triangle, const Vec3& point) {
   constexpr double kOutside = -0.02;  // corners that meet corners touch though they shift a little
   const auto& [a, b, c] = triangle.corners;
@@ -146,7 +146,7 @@ std::optional<double> height_at(const Face& face, const Vec3& point) {
   return {};
 }
 
-/// Whether one of the nodes, which are in order, is there, seen along the normal.
+/// Returns the node at a point, seen along the normal, or null. Nodes are sorted.
 const FaceNode* node_at(const std::vector<FaceNode>& nodes, const Vec3& point, double tolerance) {
   auto node = std::ranges::lower_bound(nodes, point.x() - tolerance, std::ranges::less(),
                                        [](const FaceNode& other) { return other.place.x(); });
@@ -155,7 +155,7 @@ const FaceNode* node_at(const std::vector<FaceNode>& nodes, const Vec3& point, d
   return nullptr;
 }
 
-/// Nodes of both faces within reach of the other.
+/// Adds contacts at nodes of both faces within reach of the other.
 void add_face_contacts(const WorldState& world, const FacePair& pair, std::vector<Contact>& added) {
   const Body &a = world.bodies[world.body_of(pair.a)], &b = world.bodies[world.body_of(pair.b)];
   const double size = std::min(a.element_size, b.element_size), reach = kReach * size;
@@ -243,7 +243,7 @@ void add_all_ground_contacts(const WorldState& world, double dt, std::vector<Con
 
 auto objects_of(const Contact& contact) { return std::pair(contact.a, contact.b); }
 
-/// Whether a detected contact is where one of the added, which are in the order of their objects, is.
+/// True if a detected contact is at one of the added ones, which are sorted by their objects.
 bool is_doubled(const Contact& contact, std::span<const Contact> added, double tolerance) {
   return !is_of_nodes(contact) &&
          std::ranges::any_of(std::ranges::equal_range(added, objects_of(contact), std::ranges::less(), objects_of),
@@ -253,7 +253,7 @@ bool is_doubled(const Contact& contact, std::span<const Contact> added, double t
                              });
 }
 
-/// The size of the smaller elements of what touches [m].
+/// Returns the size of the smaller elements at a contact [m].
 double element_size(const WorldState& world, const Contact& contact) {
   double size = std::numeric_limits<double>::infinity();
   for (const ProxyId side : {contact.a, contact.b})

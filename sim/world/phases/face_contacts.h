@@ -4,10 +4,10 @@
 
 namespace griffith {
 
-/// Where an elastic body lies on the ground, or a face of it on that of another body, puts contacts at all nodes there,
-/// of both, in the place of the few of their proxies: so a face carries its load over its nodes. Distances are those
-/// of the surfaces as they are deformed. Pieces that a crack has just parted are left alone. Pairs that have such
-/// contacts already keep them. Nodes that may reach the ground in a substep of `dt` [s] are foreseen.
+/// Replaces the few contacts of proxies by contacts at all nodes where an elastic body lies on the ground, or a face of
+/// it on that of another body, so that a face distributes its load over its nodes. Distances are those of the deformed
+/// surfaces. Pieces that a crack has just separated are left alone. Pairs that already have such contacts keep them.
+/// Nodes that may reach the ground in a substep of `dt` [s] are included.
 void spread_contacts(WorldState& world, double dt);
 
 }  // namespace griffith

@@ -5,9 +5,11 @@
 #include <limits>
 #include <set>
 
+#include "sim/fracture/crack_front.h"
 #include "sim/fracture/remesh.h"
 #include "sim/fracture/split.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/corners.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/phases/cracking.h"
 #include "sim/world/phases/separation_phase.h"
@@ -18,7 +20,7 @@
 namespace griffith {
 namespace {
 
-/// Cracks that waited for the budget open as they would have then, unless the load has grown since.
+/// Opens postponed cracks as they were then, unless the load has grown since.
 void restore_postponed(WorldState& world) {
   for (const PostponedCrack& crack : world.postponed) {
     const Body& body = body_at(world, crack.node);
@@ -28,7 +30,7 @@ void restore_postponed(WorldState& world) {
   world.postponed.clear();
 }
 
-/// Nodes past their resistance, the worst of all bodies first.
+/// Returns nodes above their resistance, the worst of all bodies first.
 std::vector<NodeId> overloaded_nodes(const WorldState& world) {
   std::vector<NodeId> nodes;
   for (const Body& body : world.bodies) {
@@ -52,7 +54,7 @@ void append_copy(WorldState& world, const NodeCopy& copy) {
   nodes.separations[copy.original] = {};
 }
 
-/// Parts the edges of quadratic tets whose nodes were parted.
+/// Splits the edges of quadratic tets whose nodes were split.
 void part_edges(WorldState& world, std::span<const NodeCopy> copies, std::vector<EdgeCopy>& edge_copies) {
   if (world.edges.offsets.empty() || copies.empty()) return;
   std::vector<NodeId> copied;
@@ -68,14 +70,15 @@ void part_edges(WorldState& world, std::span<const NodeCopy> copies, std::vector
   for (const EdgeId edge : edges_of(world.tet_edges, tets)) world.edges.masses[edge] = edge_mass(world, edge);
 }
 
-/// Whether elements are cut for the body's cracks. One too small to part would be cut on and on, never to break.
+/// True if elements are cut for the body's cracks. Elements too small to separate would be cut again and again and
+/// never break.
 bool is_remeshed(const WorldState& world, const Body& body) {
   const Scene& scene = world.model->scene;
   return scene.bodies[body.scene_body].remeshing &&
          static_cast<int>(body.tets.size()) >= scene.simulation.min_fragment_tets;
 }
 
-/// Cuts the node's star along the plane; which of its tets lie above (1).
+/// Cuts the tets of a node along the plane. Returns 1 for those above it.
 std::vector<std::uint8_t> remesh(WorldState& world, const Body& body, NodeId node, const Vec3& normal, Opened& opened) {
   record_motion(world, body, opened.motions);
   RemeshOptions options;
@@ -90,7 +93,16 @@ std::vector<std::uint8_t> remesh(WorldState& world, const Body& body, NodeId nod
   return std::move(cut.above);
 }
 
-/// `above`: per tet of the node's star.
+/// Returns for each tet of a node's star whether it lies on the upper side of the node's plane (1) or not (0).
+std::vector<std::uint8_t> sides_at(const WorldState& world, NodeId node) {
+  const Vec3& normal = world.nodes.separations[node].direction;
+  if (world.nodes.at_crack_front[node] == 0) return tets_above(world.mesh, world.nodes.positions, node, normal);
+  std::vector<Corners> star;
+  for (const TetId tet : world.mesh->stars[node]) star.push_back(corners_of(world.mesh, tet, world.nodes.positions));
+  return sides_of_crack(world.mesh, node, star, normal);
+}
+
+/// Returns the event of a crack. `above`: per tet of the node.
 CrackEvent describe(const WorldState& world, NodeId node, const std::vector<std::uint8_t>& above) {
   const Body& body = body_at(world, node);
   const NodeSeparation& separation = world.nodes.separations[node];
@@ -113,7 +125,7 @@ CrackEvent describe(const WorldState& world, NodeId node, const std::vector<std:
   return event;
 }
 
-/// Notes when the faces were opened that have no neighbor any more.
+/// Records when the faces without a neighbor were opened.
 void date_open_faces(WorldState& world, const std::vector<TetId>& parted) {
   for (TetId tet : parted)
     for (int face = 0; face < 4; ++face) {
@@ -129,16 +141,15 @@ void date_open_faces(WorldState& world, const std::vector<TetId>& parted) {
 bool may_crack(const WorldState& world, NodeId node) {
   const Body& body = body_at(world, node);
   if (is_remeshed(world, body) || world.nodes.has_support[node] != 0) return true;
-  const auto above = tets_above(world.mesh, world.nodes.positions, node, world.nodes.separations[node].direction);
+  const std::vector<std::uint8_t> above = sides_at(world, node);
   return std::ranges::adjacent_find(above, std::ranges::not_equal_to()) != above.end();
 }
 
 bool crack(WorldState& world, NodeId node, Opened& opened) {
   const Body& body = body_at(world, node);
   const Vec3 normal = world.nodes.separations[node].direction;
-  const std::vector<std::uint8_t> above = is_remeshed(world, body)
-                                              ? remesh(world, body, node, normal, opened)
-                                              : tets_above(world.mesh, world.nodes.positions, node, normal);
+  const std::vector<std::uint8_t> above =
+      is_remeshed(world, body) ? remesh(world, body, node, normal, opened) : sides_at(world, node);
   CrackEvent event = describe(world, node, above);
   const SplitResult result =
       split_node(world.mesh.edit(), node, above, world.model->scene.simulation.min_fragment_tets);
@@ -162,8 +173,8 @@ bool crack(WorldState& world, NodeId node, Opened& opened) {
 
 namespace {
 
-/// Whether a wave from a crack that opened in this very substep relieves the node within it (Mott 1947). A crack that
-/// runs already outruns such waves.
+/// True if a wave from a crack of this substep relieves the node within it (Mott 1947). Running cracks outrun such
+/// waves.
 bool is_relieved(const WorldState& world, NodeId node, std::size_t first_event, double substep) {
   if (world.nodes.at_crack_front[node]) return false;
   const Body& body = body_at(world, node);
@@ -174,7 +185,7 @@ bool is_relieved(const WorldState& world, NodeId node, std::size_t first_event, 
                      });
 }
 
-/// Cracks the nodes in their order as far as the budget goes.
+/// Opens cracks at nodes in their order, within the budget.
 Opened crack_in_turn(WorldState& world, const std::vector<NodeId>& overloaded, double substep) {
   Opened opened;
   opened.first_event = world.crack_events.size();
@@ -195,7 +206,7 @@ Opened crack_in_turn(WorldState& world, const std::vector<NodeId>& overloaded, d
   return opened;
 }
 
-/// The bodies to which the elements of a crack belong, when there is more than one.
+/// Returns the bodies of the elements of a crack if there are several.
 std::vector<BodyId> children_of(const WorldState& world, const CrackEvent& event) {
   std::set<BodyId> bodies;
   for (const CrackElement& element : event.elements) bodies.insert(world.elements.bodies[element.tet]);

@@ -4,8 +4,8 @@
 
 namespace griffith {
 
-/// Opens the mesh where the utilization is passed, worst first; parted pieces become bodies. What exceeds the budget of
-/// cracks opens in the next step. New cracks start no nearer to each other than a wave gets in the `substep` [s].
+/// Opens the mesh where the utilization exceeds 1, worst first; separated pieces become bodies. Cracks beyond the
+/// budget open in the next step. New cracks start no closer to each other than a wave travels in the `substep` [s].
 void open_cracks(WorldState& world, double substep);
 
 }  // namespace griffith

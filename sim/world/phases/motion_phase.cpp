@@ -20,8 +20,8 @@
 namespace griffith {
 namespace {
 
-/// How far a rigid body gets, to where its contacts leave it [m]. What is fast stops at what it meets, or it would pass
-/// through thin bodies. Pieces of one body, much of a size, may pass through one another.
+/// Returns the displacement of a rigid body, to where its contacts leave it [m]. Fast bodies stop at contacts, or they
+/// would pass through thin bodies. Pieces of one body, similar in size, may pass through one another.
 Vec3 way_of(const WorldState& world, const Body& body, double dt) {
   constexpr double kSlowFraction = 0.25;  // of its size: so much overlap would still be found
   const double slow = kSlowFraction * body.extent;
@@ -53,7 +53,8 @@ void move_rigid(WorldState& world, Body& body, double dt) {
   place_rigid_nodes(world, body);
 }
 
-/// What of the work on a body it may have gained in a substep: by external forces, supports and contacts [J].
+/// Returns the work on the body in a substep that may increase its energy: by external forces, supports and contacts
+/// [J].
 double work_done(const WorldState& world, const Body& body, const std::vector<Vec3>& external, double dt) {
   double work = body.contact_work;
   for (NodeId node : body.nodes) work += dt * external[node].dot(world.nodes.velocities[node]);
@@ -62,13 +63,13 @@ double work_done(const WorldState& world, const Body& body, const std::vector<Ve
   return work;
 }
 
-/// Motion of a body as a whole that its supports allow: about its center of mass or a pivot.
+/// Motion of a body as a whole within its supports: about its center of mass or a pivot.
 struct FreeMotion {
   Vec3 place = Vec3::Zero(), velocity = Vec3::Zero(), spin = Vec3::Zero();
   Vec3 velocity_at(const Vec3& position) const { return velocity + spin.cross(position - place); }
 };
 
-/// No motion where supports hold the body more firmly.
+/// Returns no motion if supports hold the body more firmly.
 std::optional<FreeMotion> free_motion_of(const WorldState& world, const Body& body) {
   if (!body.supported()) {
     const RigidMotion motion = motion_of(world, body);
@@ -79,8 +80,8 @@ std::optional<FreeMotion> free_motion_of(const WorldState& world, const Body& bo
   return std::nullopt;
 }
 
-/// Part of a node's velocity that does not deform the body: its motion as a whole, its swinging, or the motion of its
-/// supports together.
+/// Returns the part of a node's velocity that does not deform the body: its motion as a whole, its swinging, or the
+/// motion of its supports together.
 std::function<Vec3(NodeId)> rigid_velocity_of(const WorldState& world, const Body& body) {
   if (const std::optional<FreeMotion> motion = free_motion_of(world, body))
     return [&world, motion = *motion](NodeId node) { return motion.velocity_at(world.nodes.positions[node]); };
@@ -90,7 +91,7 @@ std::function<Vec3(NodeId)> rigid_velocity_of(const WorldState& world, const Bod
   };
 }
 
-/// Back to a snapshot, without the velocities that deform the body.
+/// Restores a snapshot, without the velocities that deform the body.
 void restore_whole(WorldState& world, const Body& body, const BodySnapshot& taken) {
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     world.nodes.positions[body.nodes[i]] = taken.positions[i];
@@ -153,7 +154,7 @@ bool all_finite(const std::vector<Vec3>& values, const auto& ids) {
   return std::ranges::all_of(ids, [&](auto id) { return values[id].allFinite(); });
 }
 
-/// Whether the body is in a place that can be told.
+/// True if the body has a finite position.
 bool is_placed(const WorldState& world, const Body& body) {
   return all_finite(world.nodes.positions, body.nodes) && all_finite(world.edges.offsets, body.edges) &&
          body.motion.center.allFinite() && body.motion.inertia.allFinite() && body.orientation.coeffs().allFinite();

@@ -10,10 +10,10 @@
 namespace griffith {
 namespace {
 
-/// The minimization of one body's step.
+/// Minimization of one body's step.
 class Deformation {
  public:
-  /// `start`: places of the rows of the body's system as it moved without deforming, nodes and then edges [m].
+  /// `start`: positions of the rows of the body's system after it moved without deformation, nodes and then edges [m].
   Deformation(WorldState& world, Body& body, const BodySnapshot& before, NodeVectors start, double dt)
       : world_(world), body_(body), before_(before), dt_(dt), start_(std::move(start)) {
     const Material& material = world.material_of(body);
@@ -22,7 +22,7 @@ class Deformation {
     whole_ = whole_motion(world, body, dt);
   }
 
-  /// M v + h f + p of the start, less what moves the whole: nodes have its velocities now.
+  /// Sets M v + h f + p of the start, without the part that moves the whole: nodes have its velocities now.
   void set_load(const std::vector<Vec3>& external) {
     const SubstepStart& start = world_.scratch.substep_start;
     const ElasticSystem& system = *body_.system;
@@ -49,7 +49,7 @@ class Deformation {
     return false;
   }
 
-  /// Puts the rows where these velocities take them.
+  /// Moves the rows by these velocities.
   void place(const NodeVectors& e) {
     for (std::size_t i = 0; i < before_.plastic_strains.size(); ++i)
       world_.elements.plastic_strains[body_.tets[i]] = before_.plastic_strains[i];
@@ -92,13 +92,13 @@ class Deformation {
     energy = at_rest;
   }
 
-  /// h f of the elastic forces where it is.
+  /// Returns h f of the elastic forces at the present positions.
   NodeVectors elastic_impulses() const {
     std::vector<Vec3> forces(world_.nodes.positions.size(), Vec3::Zero());
     add_elastic_forces(world_, body_, forces);
     return dt_ * body_.system->gather(forces, world_.scratch.edge_forces);
   }
-  /// What mass and damping do against the velocities: M e + h β K e.
+  /// Returns the resistance of mass and damping to the velocities: M e + h β K e.
   NodeVectors resistance(const NodeVectors& e) const {
     const NodeVectors by_mass = e * inertia_.asDiagonal();
     if (damping_share_ == 0) return by_mass;
@@ -143,7 +143,7 @@ class Deformation {
   double dt_;
   NodeVectors start_, load_, deforming_;
   Eigen::VectorXd inertia_;
-  double damping_share_ = 0;  ///< of β in what K adds to the matrix
+  double damping_share_ = 0;  ///< fraction of β in the contribution of K to the matrix
   WholeMotion whole_;
 };
 

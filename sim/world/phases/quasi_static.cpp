@@ -26,7 +26,7 @@ bool hardly_deforms(const WorldState& world, const Body& body) {
   return strain * body.extent / (6 * thickness) < kVisible;
 }
 
-/// Number of objects in the group of each object that contacts move, per ProxyId.
+/// Returns the number of objects in the group of each object that contacts move, per ProxyId.
 std::vector<int> group_sizes(const WorldState& world) {
   std::size_t objects = world.body_of_proxy.size();
   const std::span<const Contact> contacts = world.contact_world.contacts();

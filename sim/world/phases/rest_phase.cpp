@@ -14,15 +14,15 @@
 namespace griffith {
 namespace {
 
-/// Whether all nodes move slower than `speed` [m/s] beside a motion of the whole.
+/// True if all nodes move slower than `speed` [m/s] relative to a motion of the whole.
 bool all_slower(const WorldState& world, const Body& body, const RigidMotion& whole, double speed) {
   return std::ranges::all_of(body.nodes, [&](NodeId node) {
     return (world.nodes.velocities[node] - whole.velocity_at(world.nodes.positions[node])).norm() < speed;
   });
 }
 
-/// True if neither stress nor waves come near what could hurt a free body, and neither can be seen. A wave of stress σ
-/// moves nodes by σ/(ρc), in compression as in tension, while it has not yet come to where it could part the body.
+/// True if stress and waves in a free body are far too small for damage, and invisible. A wave of stress σ moves nodes
+/// by σ/(ρc), in compression as in tension, before it arrives where it could separate the body.
 bool is_quiescent(const WorldState& world, const Body& body) {
   constexpr double kQuietUtilization = 0.05, kQuietSpeed = 0.1;
   const auto is_quiet = [&](NodeId node) { return world.nodes.separations[node].utilization < kQuietUtilization; };
@@ -38,10 +38,9 @@ bool yields_at_first_touch(const WorldState& world, const Body& body) {
   return world.model->scene.simulation.integrator != Integrator::hybrid || !suits_microsteps(world, body, 0);
 }
 
-/// Whether nothing touched a free body in the last substep and no stress or wave is in it: a rigid one would move
-/// alike.
+/// True if a free body had no contacts in the last substep and has no stress or waves: a rigid one would move alike.
 bool flies_unstressed(const WorldState& world, const Body& body) {
-  constexpr double kUnstressed = 1e-3, kUnseen = 0.1;  // of the strain that breaks and that can be seen
+  constexpr double kUnstressed = 1e-3, kUnseen = 0.1;  // of the breaking and of the visible strain
   if (!body.known_contact_loads.empty()) return false;
   const double stress =
       std::min(kUnstressed * min_breaking_stress(world, body, true), kUnseen * visible_stress(world, body));
@@ -50,15 +49,15 @@ bool flies_unstressed(const WorldState& world, const Body& body) {
          energy_of_strain(world, body, strain);
 }
 
-/// Whether a body has hardly left its place [m].
+/// True if a body has hardly left its place [m].
 bool stays(const Body& body) {
   constexpr double kStillFraction = 0.005;  // of its extent
   const double turned = 2 * (body.rest.place.rotation.conjugate() * body.orientation).vec().norm() * body.extent / 2;
   return (body.motion.center - body.rest.place.translation).norm() + turned <= kStillFraction * body.extent;
 }
 
-/// Whether no wave in a body could hurt it, and nothing moves that could be seen. What supports alone hold may swing,
-/// and what swings stands nearly still twice a period.
+/// True if no wave in a body could cause damage, and no motion is visible. Bodies held only by supports may swing, and
+/// are nearly still twice a period.
 bool is_still(const WorldState& world, const Body& body) {
   constexpr double kSafeSpeed = 0.25, kVisible = 0.02, kSwinging = 1e-6;  // the last two of its extent [1/s]
   const bool touched = !body.known_contact_loads.empty();
@@ -67,8 +66,8 @@ bool is_still(const WorldState& world, const Body& body) {
                     std::min(kSafeSpeed * damage_speed(world, body), (touched ? kVisible : kSwinging) * body.extent));
 }
 
-/// Whether a swaying body, after a step, is as it was when its rest began, and far from breaking. Friction lets loads
-/// of what is wedged in go up and down for good.
+/// True if a deformable body, after a step, is as it was when its rest began, and far from breaking. Friction lets
+/// loads of wedged bodies vary permanently.
 bool goes_on_resting(const WorldState& world, const Body& body, double peak) {
   constexpr double kSameUtilization = 0.2, kFarFromBreaking = 0.75;
   return peak < kFarFromBreaking && std::abs(peak - body.rest.peak_utilization) < kSameUtilization && stays(body) &&
@@ -81,8 +80,8 @@ void update_rest(const WorldState& world, Body& body, double time_step) {
   body.rest = {0, {body.motion.center, body.orientation}, peak};
 }
 
-/// Bodies that never settle: those that loads or moving supports act on, now or later, and all whose motion is followed
-/// explicitly.
+/// Returns the bodies that never settle: those under loads or moving supports, now or later, and all under explicit
+/// integration.
 std::vector<bool> driven_bodies(const WorldState& world) {
   std::vector<bool> driven(world.bodies.size(), world.integrates_explicitly());
   const auto mark = [&](TetId tet) { driven[world.elements.bodies[tet]] = true; };
@@ -97,7 +96,7 @@ std::vector<bool> driven_bodies(const WorldState& world) {
   return driven;
 }
 
-/// Tells the contact world which of the bodies that sway have settled.
+/// Reports to the contact world which of the deformable bodies have settled.
 void report_settled_bodies(WorldState& world, double time_step) {
   const std::vector<bool> driven = driven_bodies(world);
   for (Body& body : world.bodies) {

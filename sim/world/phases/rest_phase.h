@@ -4,18 +4,18 @@
 
 namespace griffith {
 
-/// Free bodies whose stress has died turn rigid: at once where nothing touched them and there is none, and single tets,
-/// which cannot break. Those that loads strain stay elastic.
+/// Makes free bodies rigid whose stress has decayed: at once if they have neither contacts nor stress, and single tets,
+/// which cannot break. Bodies strained by loads stay elastic.
 void rigidify_quiet_bodies(WorldState& world);
-/// Turns a free body rigid at once where neither stress nor waves come near what could hurt it.
+/// Makes a free body rigid at once if it is quiescent: neither stress nor waves are large enough for damage.
 void rigidify_if_quiescent(WorldState& world, Body& body);
-/// What lies still among others that do so too falls asleep, after a step of this length [s]: rigid bodies, and those
-/// that have settled under a stress that stays. Sleepers keep their stress and reactions of supports, and cost nothing.
+/// Puts bodies to sleep that are still among others that are, after a step of this length [s]: rigid bodies, and those
+/// that have settled under a constant stress. Sleepers keep their stress and reactions of supports, and cost nothing.
 void update_sleep(WorldState& world, double time_step);
-/// Lets bodies awake that the contact world found disturbed, in a substep of `dt` [s].
+/// Wakes bodies that the contact world found disturbed, in a substep of `dt` [s].
 void wake_disturbed_bodies(WorldState& world, double dt);
-/// Lets a body that deforms from now on take part in the contacts of a substep of `dt` [s] that began without it. What
-/// `slept` gets the velocities that its weight and stress give it: without, contacts would push it off its place.
+/// Includes a body that becomes deformable in the contacts of a substep of `dt` [s] that began without it. If it
+/// `slept`, it gets the velocities by its weight and stress; without them contacts would push it off its place.
 void join_substep(WorldState& world, Body& body, bool slept, double dt);
 
 }  // namespace griffith

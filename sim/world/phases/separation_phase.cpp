@@ -1,11 +1,15 @@
 #include "sim/world/phases/separation_phase.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "sim/core/parallel.h"
+#include "sim/fracture/crack_front.h"
 #include "sim/fracture/resistance.h"
+#include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/corners.h"
 #include "sim/world/world_state.h"
 
 namespace griffith {
@@ -14,10 +18,10 @@ double element_size_at(const WorldState& world, NodeId node) {
   return mean_element_size(world.elements.rest_elements, world.mesh->stars[node]);
 }
 
-double resistance_at(const WorldState& world, const Material& material, NodeId node) {
+double screening_resistance_at(const WorldState& world, const Material& material, NodeId node) {
   const bool at_front = world.nodes.at_crack_front[node] != 0;
-  return resistance(material, at_front, at_front ? element_size_at(world, node) : 0,
-                    world.nodes.strength_factors[node]);
+  return screening_resistance(material, at_front, at_front ? element_size_at(world, node) : 0,
+                              world.nodes.strength_factors[node]);
 }
 
 namespace {
@@ -27,15 +31,39 @@ DirectionalStrength directional_strength_at(const WorldState& world, const Separ
   return weakness ? strength_at(input, node, *weakness) : DirectionalStrength();
 }
 
+/// Returns the energy release rate of a crack that advances across a plane through a node of its front [J/m²]. Openings
+/// of a scaled body are 1/f times as large.
+double energy_release_at(const WorldState& world, NodeId node, const Vec3& normal) {
+  std::vector<Corners> star;
+  std::vector<Vec3> forces;
+  for (const TetId tet : world.mesh->stars[node]) {
+    star.push_back(corners_of(world.mesh, tet, world.nodes.positions));
+    forces.push_back(corner_force(world.elements.rest_elements[tet], world.elements.states[tet],
+                                  local_corner(world.mesh, tet, node)));
+  }
+  const Body& body = body_at(world, node);
+  return (body.explicit_state ? body.explicit_state->similarity : 1) *
+         energy_release_rate(world.mesh, node, star, forces, normal);
+}
+
 void take_load(const WorldState& world, NodeId node, const CandidatePlane& plane, const DirectionalStrength& strength,
                bool averaged, NodeSeparation& separation) {
   const Material& material = world.material_of(body_at(world, node));
+  const bool by_stress = material.criterion == FractureCriterion::strength;
+  const double fraction = strength.fraction(plane.normal);
   separation.eigenvalue = plane.eigenvalue;
   separation.direction = plane.normal;
   separation.stress = averaged ? 0.5 * (plane.stress + separation.stress) : plane.stress;
-  separation.resistance = strength.fraction(plane.normal) * resistance_at(world, material, node);
-  const double load = material.criterion == FractureCriterion::strength ? separation.stress : separation.eigenvalue;
-  separation.utilization = load / separation.resistance;
+  separation.resistance = fraction * resistance(material, world.nodes.strength_factors[node]);
+  separation.utilization = (by_stress ? separation.stress : separation.eigenvalue) / separation.resistance;
+  separation.energy_release = 0;
+  if (!by_stress || world.nodes.at_crack_front[node] == 0) return;
+  separation.fracture_energy = fracture_energy(material, fraction);
+  separation.energy_release = energy_release_at(world, node, plane.normal);
+  const double by_energy = std::sqrt(separation.energy_release / separation.fracture_energy);
+  if (by_energy <= separation.utilization) return;
+  separation.utilization = by_energy;
+  if (separation.stress > 0) separation.resistance = separation.stress / by_energy;
 }
 
 /// Judges nodes four side by side. loads_of(four): the loads of up to four of them, of which places to spare repeat the
@@ -58,7 +86,7 @@ void evaluate_fours(WorldState& world, const SeparationInput& input, std::span<c
   }
 }
 
-/// As evaluate_nodes() does, to the bit: nodes in a row of a body whose stars are added up.
+/// Does the same as evaluate_nodes(), to the bit, for consecutive nodes of a body with accumulated loads.
 void take_sums(WorldState& world, const SeparationInput& input, std::span<const NodeId> nodes, bool averaged) {
   evaluate_fours(world, input, nodes, averaged, [&](std::span<const NodeId> four) {
     std::array<NodeLoad, 4> loads;
@@ -77,6 +105,11 @@ void evaluate_body(WorldState& world, const SeparationInput& input, const Body& 
 }
 
 }  // namespace
+
+double fracture_energy_at(const WorldState& world, NodeId node, const Vec3& normal) {
+  const double fraction = directional_strength_at(world, separation_input(world), node).fraction(normal);
+  return fracture_energy(world.material_of(body_at(world, node)), fraction);
+}
 
 void evaluate_nodes(WorldState& world, const SeparationInput& input, std::span<const NodeId> nodes, bool averaged) {
   evaluate_fours(world, input, nodes, averaged, [&](std::span<const NodeId> four) { return node_loads(input, four); });

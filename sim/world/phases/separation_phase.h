@@ -5,21 +5,22 @@
 
 namespace griffith {
 
-/// Separation tensors, and the utilization of every node against the material's resistance. `averaged`: the stress is
-/// the mean of this evaluation and the last, so that the noise of a stiff body in motion does not crack it.
+/// Computes separation tensors, and the utilization of every node. `averaged`: the stress is the mean of this
+/// evaluation and the last, so that the noise of a stiff body in motion causes no cracks.
 void evaluate_separation(WorldState& world, bool averaged);
 /// Evaluates one body, under its stress as it is now.
 void evaluate_separation(WorldState& world, const Body& body);
-/// The highest utilization of a body's nodes, as evaluated last.
+/// Returns the largest utilization of a body's nodes in the last evaluation.
 double peak_utilization(const WorldState& world, const Body& body);
-/// Edge length of the cells round a node: that of a cube of six of its tets [m].
+/// Returns the edge length of the cells around a node: that of a cube of six of its tets [m].
 double element_size_at(const WorldState& world, NodeId node);
-/// What a node of that material withstands, across the planes of uniform strength [Pa], or [N] with the force
-/// criterion.
-double resistance_at(const WorldState& world, const Material& material, NodeId node);
+/// Returns screening_resistance() of a node.
+double screening_resistance_at(const WorldState& world, const Material& material, NodeId node);
+/// Returns the energy that a crack across a plane through a node takes, by the weakness of the body [J/m²].
+double fracture_energy_at(const WorldState& world, NodeId node, const Vec3& normal);
 /// Evaluates nodes under the states of their elements now.
 void evaluate_nodes(WorldState& world, const SeparationInput& input, std::span<const NodeId> nodes, bool averaged);
-/// What the separation tensors are made of.
+/// Returns the data of the separation tensors.
 SeparationInput separation_input(const WorldState& world);
 
 }  // namespace griffith

@@ -13,7 +13,7 @@
 namespace griffith {
 namespace {
 
-/// The deformation gradient is the same in both halves, and so is all that follows from it.
+/// Appends a half of an element, with the same deformation gradient and all that follows from it.
 void append_element(WorldState& world, const TetBisection& halves) {
   ElementArrays& elements = world.elements;
   elements.append_copy(halves.tet);
@@ -35,7 +35,7 @@ double kinetic_energy_of(const WorldState& world, const auto& nodes) {
 /// Corners or faces of tets.
 using Places = std::set<std::pair<TetId, int>>;
 
-/// The two corners that both halves have.
+/// Returns the two corners common to both halves.
 std::array<int, 2> common_corners(const TetBisection& halves) {
   std::array<int, 2> common{};
   for (int corner = 0, i = 0; corner < 4; ++corner)
@@ -48,28 +48,30 @@ void follow_nodes(Places& places, const TetBisection& halves) {
   if (places.erase({halves.tet, halves.moved}) > 0) places.insert({halves.child, halves.moved});
 }
 
-/// All corners at the same nodes.
+/// Updates places that are all corners at the same nodes.
 void follow_stars(Places& places, const TetBisection& halves) {
   follow_nodes(places, halves);
   for (int corner : common_corners(halves))
     if (places.contains({halves.tet, corner})) places.insert({halves.child, corner});
 }
 
-/// All corners at the nodes of a region, to which the middle of an edge belongs when both ends do.
+/// Updates places that are all corners at the nodes of a region, which includes the midpoint of an edge between two of
+/// them.
 void follow_region(Places& places, const TetBisection& halves) {
   const bool edge = places.contains({halves.tet, halves.kept}) && places.contains({halves.tet, halves.moved});
   follow_stars(places, halves);
   if (edge) places.insert({{halves.tet, halves.moved}, {halves.child, halves.kept}});
 }
 
-/// Faces: the one opposite the moved end stays, the one opposite the kept end goes to the child, two are halved.
+/// Updates faces: the one opposite the moved end stays, the one opposite the kept end goes to the child, two are
+/// halved.
 void follow_faces(Places& places, const TetBisection& halves) {
   if (places.erase({halves.tet, halves.kept}) > 0) places.insert({halves.child, halves.kept});
   for (int face : common_corners(halves))
     if (places.contains({halves.tet, face})) places.insert({halves.child, face});
 }
 
-/// Lets the corners at bisected tets follow; the others stay.
+/// Updates the corners at bisected tets; the others stay.
 template <class Follow>
 void follow_all(std::vector<TetCorner>& corners, const Subdivision& subdivision, Follow follow) {
   std::set<TetId> halved;

@@ -11,23 +11,21 @@ namespace griffith {
 struct Body;
 struct WorldState;
 
-/// Gives what bisections made its values: nodes those interpolated along their edges, tets those of the tets that they
-/// come from. A new node is held where a support has both ends of its edge, a load on a face or tet acts on both
-/// halves, and other places stay with their nodes. The bodies' tets are brought up to date, but for nothing else of
-/// theirs.
+/// Sets the values of bisected parts: nodes get those interpolated along their edges, tets those of the original tets.
+/// A new node is held if a support holds both ends of its edge. A load on a face or tet acts on both halves; other
+/// places stay with their nodes. Of the bodies, only the lists of tets are updated.
 void follow_subdivision(WorldState& world, const Subdivision& subdivision);
 
 /// Motions of bodies before they were remeshed; none of those that were held.
 using MotionsBefore = std::map<BodyId, std::optional<RigidMotion>>;
 
-/// Notes a body's motion before the first of its cracks; later ones find it noted, their copies of nodes unknown yet.
+/// Records a body's motion before the first of its cracks, when no copies of nodes exist yet.
 void record_motion(const WorldState& world, const Body& body, MotionsBefore& motions);
 
-/// Gives a body, whose nodes are known, back the angular momentum of `before`, by a rotation as a whole.
+/// Restores the angular momentum `before` of a body, whose nodes are known, by a rotation as a whole.
 void restore_angular_momentum(WorldState& world, const Body& body, const RigidMotion& before);
 
-/// Gives bodies back the angular momentum that interpolation took, by a rotation as a whole: it alone does not change
-/// their shape.
+/// Restores the angular momentum that interpolation changed, by a rotation as a whole, which does not change the shape.
 void restore_angular_momentum(WorldState& world, const MotionsBefore& motions);
 
 }  // namespace griffith

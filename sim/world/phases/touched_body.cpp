@@ -17,12 +17,12 @@ Vec3 surface_position(const WorldState& world, const SurfacePoint& point) {
   return position;
 }
 
-/// The index of one of a body's nodes.
+/// Returns the index of one of a body's nodes.
 int place_of(const Body& body, NodeId node) {
   return static_cast<int>(std::lower_bound(body.nodes.begin(), body.nodes.end(), node) - body.nodes.begin());
 }
 
-/// Where the proxy, which does not deform, has this point of the surface.
+/// Returns the place of this point of the surface on the proxy, which does not deform.
 Vec3 proxy_position(const Body& body, const SurfacePoint& point) {
   Vec3 arm = Vec3::Zero();
   for (int i = 0; i < 3; ++i) arm += point.weights[i] * body.reference_arms.col(place_of(body, point.nodes[i]));
@@ -34,7 +34,7 @@ bool is_elastic(const WorldState& world, ProxyId object) {
   return id.valid() && !world.bodies[id].rigid && !world.bodies[id].asleep;
 }
 
-/// How fast the sides of each contact come together as if it did not push [m/s].
+/// Returns the approach speed of the sides of each contact without its impulse [m/s].
 std::vector<double> approach_speeds(const WorldState& world, const TouchedBodies& touched) {
   const std::span<const Contact> contacts = world.contact_world.contacts();
   std::vector<double> speeds(contacts.size(), 0.0);

@@ -64,9 +64,9 @@ void move_free(WorldState& world, const Body& body, double dt) {
 
 namespace {
 
-/// The mean spin of a body in a substep of `dt` [s] after which it has `spin` [rad/s]: with half of what `external`
-/// forces gave it, so that it swings without gain or loss (position Verlet). What touches something
-/// moves by the velocity with which it does not get into it.
+/// Returns the mean spin of a body in a substep of `dt` [s] after which it has `spin` [rad/s]: with half of the change
+/// by `external` forces, so that it swings without gain or loss (position Verlet). A body with contacts moves by the
+/// velocity that avoids penetration.
 Vec3 mean_spin(const WorldState& world, const Body& body, const Pivot& pivot, const Vec3& spin,
                const std::vector<Vec3>& external, double dt) {
   if (body.contact_work != 0) return spin;

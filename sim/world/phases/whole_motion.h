@@ -5,7 +5,8 @@
 
 namespace griffith {
 
-/// The motions of a body as a whole that its supports leave free, from where its nodes are, in a substep of `dt` [s].
+/// Returns the motions of a body as a whole within its supports, for the present positions of its nodes, in a substep
+/// of `dt` [s].
 WholeMotion whole_motion(const WorldState& world, const Body& body, double dt);
 
 }  // namespace griffith

@@ -49,7 +49,7 @@ RestBody append_mesh(Model& model, WorldState& world, int scene_body, const Shap
   return body;
 }
 
-/// The body's direction of weakness, placed as its rest space is.
+/// Returns the body's direction of weakness in its rest space.
 std::optional<Weakness> place_weakness(const BodyDescription& body) {
   std::optional<Weakness> weakness = body.weakness;
   if (weakness) weakness->direction = pose_of(body).rotation * weakness->direction.normalized();
@@ -99,13 +99,13 @@ void set_initial_motion(WorldState& world, Body& body, const BodyDescription& de
   update_motion(world, body);
 }
 
-/// Where in `world.bodies` the pieces of a scene body are, and of what shape they are.
+/// Range of the pieces of a scene body in `world.bodies`, and their shape.
 struct Pieces {
   std::size_t first, end;
   const ShapeMesh& shape;
 };
 
-/// A body for each piece of the shape, parted from the start or not; nothing but its tets is known yet.
+/// Adds a body for each piece of the shape, separate from the start or not; only its tets are set.
 Pieces add_bodies(WorldState& world, int scene_body, TetId first_tet, const ShapeMesh& shape) {
   const std::size_t first = world.bodies.size();
   Body& body = world.bodies.emplace_back();
@@ -141,7 +141,7 @@ Pieces add_scene_body(Model& model, WorldState& world, int scene_body, const Sha
   return add_bodies(world, scene_body, first_tet, shape);
 }
 
-/// As collision_parts(), but known from the shape where it can be.
+/// Returns collision_parts(), from the shape if possible.
 std::vector<ConvexPart> first_collision_parts(const WorldState& world, const Body& body, const ShapeMesh& shape) {
   const BodyDescription& description = world.model->scene.bodies[body.scene_body];
   if (description.collision == CollisionShape::splinters || shape.convex_parts.empty())
@@ -153,7 +153,7 @@ std::vector<ConvexPart> first_collision_parts(const WorldState& world, const Bod
   return parts;
 }
 
-/// Center of mass of all pieces together.
+/// Returns the center of mass of all pieces together.
 Vec3 center_of_mass(std::span<const Body> pieces) {
   Vec3 moment = Vec3::Zero();
   double mass = 0;
@@ -164,7 +164,8 @@ Vec3 center_of_mass(std::span<const Body> pieces) {
   return moment / mass;
 }
 
-/// What follows from the tets of a scene body's pieces, but for their proxies; touches nothing of other scene bodies.
+/// Sets all data that follow from the tets of a scene body's pieces, except for their proxies; changes nothing of other
+/// scene bodies.
 void complete(WorldState& world, const Pieces& pieces) {
   const std::span<Body> bodies = std::span(world.bodies).subspan(pieces.first, pieces.end - pieces.first);
   for (const Body& body : bodies)
@@ -195,7 +196,7 @@ void make_meshes(const Scene& scene, ShapeMeshes& shapes, const Monitor& monitor
   }
 }
 
-/// A little less than the bounds of a body, so that those that touch do not overlap.
+/// Bounds of a body, slightly reduced so that touching bodies do not overlap.
 struct InnerBounds {
   InnerBounds(const WorldState& world, const Body& body) : scene_body(body.scene_body) {
     constexpr double kMargin = 1e-6;  // of the size
@@ -208,8 +209,8 @@ struct InnerBounds {
   Eigen::AlignedBox3d box;
 };
 
-/// Contacts grow with the square of a crowd: throws where a great many bodies stand inside one another. The pieces of
-/// one body, which may be of any shape, fit together. Sweeps along x.
+/// Throws if very many bodies are inside one another: the number of contacts grows with the square of a crowd. The
+/// pieces of one body, which may have any shape, fit together. Sweeps along x.
 void require_no_crowd(const WorldState& world) {
   constexpr int kMaxPairs = 1'000'000;
   std::vector<InnerBounds> all;

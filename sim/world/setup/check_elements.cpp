@@ -9,7 +9,7 @@
 namespace griffith {
 namespace {
 
-/// What quadratic elements do not go with.
+/// Feature that quadratic elements do not support.
 struct Obstacle {
   const char* name;
   const char* remedy;

@@ -8,8 +8,9 @@ namespace griffith {
 /// Throws an InputError where quadratic elements meet what they cannot do.
 void check_elements(const Scene& scene, int scene_body, ElementOrder order, const Material& material);
 
-/// The elements of a scene body with this mesh. ElementOrder::automatic is quadratic where fewer than four linear ones
-/// lie across the thinnest part of the body, which then hardly bend, and nothing speaks against it.
+/// Returns the element order of a scene body with this mesh. ElementOrder::automatic becomes quadratic if there are
+/// fewer than four linear elements across the thinnest part of the body, which then are too stiff in bending, and no
+/// feature prevents it.
 ElementChoice choose_elements(const Scene& scene, int scene_body, const TetMesh& mesh);
 
 }  // namespace griffith

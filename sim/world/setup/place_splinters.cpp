@@ -24,7 +24,7 @@ void require_covered(const TetMesh& mesh, const SplinterSet& splinters, const st
   throw InputError(where, text, "let the outer cells reach beyond the body's surface, and fill gaps between cells");
 }
 
-/// What holds for each body holds for all of a scene, too.
+/// Checks for a whole scene the limits of each body.
 void require_few_in_all(const SplinterSet& splinters, const CellPartition& cells, const std::string& where) {
   if (static_cast<double>(splinters.splinters.size() + cells.size()) > kMaxSplinterCells)
     throw InputError(where, "brings the scene to more than 2 million splinters",

@@ -27,7 +27,7 @@ std::size_t hash_of(const NotchedBeamShape& beam) { return hash_of(beam.size); }
 std::size_t hash_of(const MeshFileShape& file) { return hash_value(file.path); }
 std::size_t hash_of(const SurfaceShape& surface) { return hash_value(surface.path); }
 
-/// A mesh of another size than bodies have is one in other units.
+/// Checks the size of a mesh: an unusual one means other units.
 void check_size(const MeshReport& report, const std::string& name) {
   constexpr double kSmallest = 1e-4, kFarthest = 1e6;  // as the fields of a scene allow [m]
   const double size = (report.maximum - report.minimum).maxCoeff();
@@ -48,14 +48,14 @@ Vec3 center_of_mass(const TetMesh& mesh, double volume) {
   return sum / volume;
 }
 
-/// What errors of the mesh name: its file, or what it was to be.
+/// Returns the name of the mesh in errors: its file, or its shape.
 std::string mesh_name(const Scene& scene, const Shape& shape) {
   if (const auto* file = std::get_if<MeshFileShape>(&shape)) return file_path(scene.folder, file->path).string();
   if (const auto* file = std::get_if<SurfaceShape>(&shape)) return file_path(scene.folder, file->path).string();
   return "the shape";
 }
 
-/// The mesh that was given for the shape, in metres; nothing where it has to be read or made.
+/// Returns the mesh that was given for the shape, in meters; empty if it must be read or made.
 std::optional<TetSoup> in_memory_soup(const InMemoryMeshes* given, const Shape& shape) {
   const auto* file = std::get_if<MeshFileShape>(&shape);
   const auto* surface = std::get_if<SurfaceShape>(&shape);

@@ -13,32 +13,31 @@
 
 namespace griffith {
 
-/// The mesh of a shape in its own frame, and what is known of it: the same for all bodies of the shape.
+/// Mesh of a shape in its own frame, and data that are the same for all bodies of the shape.
 struct ShapeMesh {
   TetSoup soup;                                   ///< prepared
-  std::shared_ptr<const TetSoup> filled_surface;  ///< as it was made; null for what is no surface
+  std::shared_ptr<const TetSoup> filled_surface;  ///< original soup of a filled surface; null for other shapes
   std::vector<int> point_of_node;                 ///< per node of the soup: the point as read that it was
-  TetMesh mesh;                                   ///< of the soup
-  std::vector<std::vector<TetId>> pieces;         ///< what holds together through faces
+  TetMesh mesh;                                   ///< mesh of the soup
+  std::vector<std::vector<TetId>> pieces;         ///< sets of tets connected through faces
   std::vector<NodeId> slit_tips;                  ///< crack fronts that it has from the start
-  std::vector<ConvexPart>
-      convex_parts;                   ///< of one piece, relative to its center of mass [m]; empty if it is in several
-  std::vector<std::string> findings;  ///< what the user should know of a file
+  std::vector<ConvexPart> convex_parts;  ///< parts of one piece, relative to its center of mass [m]; empty for several
+  std::vector<std::string> findings;     ///< oddities of a file for the user
 };
 
-/// The meshes of a scene's shapes, each read or made once.
+/// Meshes of a scene's shapes, each read or made once.
 class ShapeMeshes {
  public:
   ShapeMeshes() = default;
   /// Knows meshes that need no file; they must live as long as this.
   explicit ShapeMeshes(const InMemoryMeshes& given) : given_(&given) {}
 
-  /// The mesh of the body's shape; it stays where it is. Throws InputError, which names the body and the file, for one
-  /// that cannot be simulated, Cancelled when the monitor says so.
+  /// Returns the mesh of the body's shape, by a reference that stays valid. Throws InputError, with body and file, for
+  /// one that cannot be simulated, and Cancelled if the monitor requests it.
   const ShapeMesh& of(const Scene& scene, int scene_body, const Monitor& monitor);
 
  private:
-  /// By what tells most shapes apart.
+  /// Hash of the properties in which most shapes differ.
   struct Hash {
     std::size_t operator()(const Shape& shape) const;
   };
@@ -46,7 +45,7 @@ class ShapeMeshes {
   std::unordered_map<Shape, ShapeMesh, Hash> made_;
 };
 
-/// Where in a scene file the shape of a body is, as a JSON pointer.
+/// Returns the JSON pointer of a body's shape in a scene file.
 std::string shape_pointer(const Scene& scene, int scene_body);
 
 }  // namespace griffith

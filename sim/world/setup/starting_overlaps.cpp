@@ -11,17 +11,17 @@
 namespace griffith {
 namespace {
 
-/// Shallower overlaps are what collision shapes have that touch [of the smaller body's size].
+/// Overlap up to which bodies count as touching, since collision shapes are approximate [of the smaller body's size].
 constexpr double kTolerance = 0.005;
 
 constexpr int kGround = -1;
 
-/// How deep two scene bodies, the first of which may be the ground, are inside one another [m].
+/// Depths of overlap of pairs of scene bodies, the first of which may be the ground [m].
 using Depths = std::map<std::pair<int, int>, double>;
 
 using Boxes = std::vector<Eigen::AlignedBox3d>;
 
-/// Round the scene bodies.
+/// Returns the boxes of the scene bodies.
 Boxes boxes_round(const Scene& scene, const Frame& frame) {
   Boxes boxes(scene.bodies.size());
   for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet)
@@ -36,7 +36,7 @@ void add_ground(const Scene& scene, const Boxes& boxes, Depths& depths) {
     depths[{kGround, static_cast<int>(i)}] = scene.ground->height - boxes[i].min().y();
 }
 
-/// All bodies are free here: two that are held would not touch, but are inside one another all the same.
+/// Adds overlapping pairs. All bodies are free here: two held ones have no contacts but may overlap.
 void add_pairs(const Frame& frame, Depths& depths) {
   ContactWorld contacts(Vec3::Zero());
   std::vector<ContactWorld::Proxy> proxies;

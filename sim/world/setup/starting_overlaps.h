@@ -8,8 +8,9 @@
 
 namespace griffith {
 
-/// Bodies of a scene that start under the ground or inside one another, by their collision shapes: named, with how far,
-/// the deepest first. `start` is the frame before the first step. A scene runs with them, but they are pushed apart.
+/// Returns the bodies of a scene that start below the ground or inside one another, by their collision shapes, with
+/// their depths, the deepest first. `start` is the frame before the first step. The scene still runs, and they are
+/// pushed apart.
 std::vector<InputError> starting_overlaps(const Scene& scene, const Frame& start);
 
 }  // namespace griffith

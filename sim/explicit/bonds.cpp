@@ -1,0 +1,69 @@
+#include <algorithm>
+#include <utility>
+
+#include "sim/explicit/microstep_contacts.h"
+
+namespace griffith::explicit_dynamics {
+
+/// Lists the bonds that hold, those between the same nodes in sequence.
+void MicrostepContacts::list_bonds(const ExplicitBodies& bodies) {
+  bonds_.clear();
+  for (int index = 0; index < crack_count(); ++index) {
+    const CrackSides& crack = cracks_[index].sides;
+    for (int i = 0; i < 3; ++i) {
+      if (!crack.bonds[i].holds()) continue;
+      const int first = bodies.corner(crack.first_slot, crack.first_corners[i]),
+                second = bodies.corner(crack.second_slot, crack.second_corners[i]);
+      bonds_.push_back({std::min(first, second), std::max(first, second), index, i});
+    }
+  }
+  std::ranges::stable_sort(bonds_, {}, [](const BondedCorner& bond) { return std::pair(bond.first, bond.second); });
+  lists_bonds_ = true;
+}
+
+/// Lets bonds resist the last motion. Those between two nodes began when these came apart and have opened alike: they
+/// act as one.
+void MicrostepContacts::hold_cracks(ExplicitBodies& bodies, double dt) {
+  if (!lists_bonds_) list_bonds(bodies);
+  const auto bond_at = [&](const BondedCorner& at) -> Bond& { return cracks_[at.crack].sides.bonds[at.corner]; };
+  for (auto first = bonds_.begin(); first != bonds_.end();) {
+    const auto last = std::find_if(first, bonds_.end(), [&](const BondedCorner& other) {
+      return other.first != first->first || other.second != first->second;
+    });
+    Bond whole = bond_at(*first);
+    for (auto other = first + 1; other != last; ++other) whole.force += bond_at(*other).force;
+    hold(bodies, first->first, first->second, whole, dt);
+    for (; first != last; ++first) {
+      bond_at(*first).opening = whole.opening;
+      if (!whole.holds()) bond_at(*first) = {};
+    }
+  }
+  std::erase_if(bonds_, [&](const BondedCorner& at) { return !bond_at(at).holds(); });
+}
+
+/// The impulse belongs to the forces before the last motion, part of which it takes back. The bond takes the energy of
+/// its law; what the microstep's impulse takes more or less is a loss like that of contacts.
+void MicrostepContacts::hold(ExplicitBodies& bodies, int first, int second, Bond& bond, double dt) {
+  const Vec3 between = bodies.position(second) - bodies.position(first);
+  const double opening = between.norm();
+  if (opening <= bond.opening) return;
+  const Vec3 direction = between / opening;
+  const double mobility = bodies.mobility(first, direction) + bodies.mobility(second, direction);
+  if (mobility == 0) return;
+  const double energy = bond.energy_left();
+  const Vec3 impulse = dt * pull(bond, opening, dt * dt * mobility) * direction;
+  const double taken = energy - (bond.holds() ? bond.energy_left() : 0);
+  const auto opening_speed = [&] { return Vec3(bodies.velocity(second) - bodies.velocity(first)); };
+  const Vec3 before = opening_speed();
+  const auto push = [&](int node, const Vec3& part) {
+    const Vec3 velocity = bodies.velocity(node);
+    push_node(bodies, node, part);
+    shift_node(bodies, node, dt * (bodies.velocity(node) - velocity));
+  };
+  push(first, impulse);
+  push(second, -impulse);
+  fractured_ += taken;
+  lost_ += 0.5 * impulse.dot(before + opening_speed()) - taken;
+}
+
+}  // namespace griffith::explicit_dynamics

@@ -1,0 +1,156 @@
+#include "sim/fracture/crack_front.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "sim/elasticity/corner_traction.h"
+#include "sim/mesh/topology.h"
+
+namespace griffith {
+namespace {
+
+struct Side {
+  TetId tet;
+  std::array<int, 3> corners;
+};
+
+/// Returns the faces without a neighbor that contain a node.
+void add_sides(const TetMesh& mesh, NodeId node, std::vector<Side>& sides) {
+  for (const TetId tet : mesh.stars[node])
+    for (int face = 0; face < 4; ++face)
+      if (!mesh.neighbors[tet][face].valid() && mesh.tets[tet][face] != node) sides.push_back({tet, kTetFaces[face]});
+}
+
+/// Returns the corners of `second` that coincide with those of a face at rest; false if it has no such face.
+bool coincide(const TetMesh& mesh, const Side& first, const Side& second, std::array<int, 3>& corners) {
+  const auto place = [&](const Side& side, int i) -> const Vec3& {
+    return mesh.rest_positions[mesh.tets[side.tet][side.corners[i]]];
+  };
+  for (int i = 0; i < 3; ++i) {
+    int match = -1;
+    for (int j = 0; j < 3; ++j)
+      if (place(first, i) == place(second, j)) match = j;
+    if (match < 0) return false;
+    corners[i] = second.corners[match];
+  }
+  return true;
+}
+
+/// Returns the outward direction of a face, of any length.
+Vec3 out_of(const Corners& tet, const std::array<int, 3>& corners) {
+  const auto place = [&](int i) { return tet.col(corners[i]); };
+  return (place(1) - place(0)).cross(place(2) - place(0));
+}
+
+/// Side of a plane on which the first side of an open face lies, seen along its normal; across: the face is too steep
+/// against the plane to belong to the same crack.
+enum class PlaneSide { lower, upper, across };
+PlaneSide side_of(const Corners& first, const OpenFace& face, const Vec3& normal) {
+  constexpr double kSteep = 0.5;  // cosine
+  const Vec3 out = out_of(first, face.first_corners);
+  const double along = out.dot(normal) / out.norm();
+  return std::abs(along) < kSteep ? PlaneSide::across : along > 0 ? PlaneSide::lower : PlaneSide::upper;
+}
+
+std::ptrdiff_t index_in(const std::vector<TetId>& star, TetId tet) {
+  return std::ranges::lower_bound(star, tet) - star.begin();
+}
+
+/// Returns the force that holds the sides together, from the lower to the upper one [N]; both accelerate alike.
+Vec3 reaction(const TetMesh& mesh, const std::vector<TetId>& star, std::span<const Vec3> forces,
+              std::span<const std::uint8_t> above) {
+  std::array<Vec3, 2> sums = {Vec3::Zero(), Vec3::Zero()};
+  std::array<double, 2> volumes{};
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    sums[above[i]] += forces[i];
+    volumes[above[i]] += rest_volume(mesh, star[i]);
+  }
+  return (volumes[0] * sums[1] - volumes[1] * sums[0]) / (volumes[0] + volumes[1]);
+}
+
+/// Returns a third of the linked faces at a node between the sides, as a vector to the upper one [m²].
+Vec3 linked_area(const TetMesh& mesh, NodeId node, std::span<const std::uint8_t> above) {
+  const std::vector<TetId>& star = mesh.stars[node];
+  Vec3 area = Vec3::Zero();
+  for (std::size_t i = 0; i < star.size(); ++i)
+    for (int face = 0; face < 4 && above[i] == 0; ++face) {
+      const TetId next = mesh.neighbors[star[i]][face];
+      if (next.valid() && mesh.tets[star[i]][face] != node && above[index_in(star, next)] != 0)
+        area += third_of_face(mesh, star[i], kTetFaces[face]);
+    }
+  return area;
+}
+
+/// As sides_of_crack(), with the open faces at the node.
+std::vector<std::uint8_t> sides_along(const TetMesh& mesh, NodeId node, std::span<const Corners> star,
+                                      const Vec3& normal, std::span<const OpenFace> faces) {
+  const Vec3 place = star[0].col(local_corner(mesh, mesh.stars[node][0], node));
+  std::vector<std::uint8_t> above;
+  for (const Corners& tet : star) above.push_back(normal.dot(tet.rowwise().mean() - place) > 0);
+  for (const OpenFace& face : faces) {
+    const auto first = index_in(mesh.stars[node], face.first), second = index_in(mesh.stars[node], face.second);
+    const PlaneSide side = side_of(star[first], face, normal);
+    if (side == PlaneSide::across) continue;
+    above[first] = side == PlaneSide::upper;
+    above[second] = side == PlaneSide::lower;
+  }
+  return above;
+}
+
+}  // namespace
+
+std::vector<OpenFace> open_faces_at(const TetMesh& mesh, std::span<const NodeId> nodes) {
+  std::vector<Side> sides;
+  for (const NodeId node : nodes) add_sides(mesh, node, sides);
+  std::vector<OpenFace> faces;
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    for (std::size_t j = i + 1; j < sides.size(); ++j) {
+      OpenFace face{sides[i].tet, sides[j].tet, sides[i].corners, {}};
+      if (coincide(mesh, sides[i], sides[j], face.second_corners)) faces.push_back(face);
+    }
+  return faces;
+}
+
+Vec3 third_of_face(const TetMesh& mesh, TetId tet, const std::array<int, 3>& corners) {
+  const auto place = [&](int i) -> const Vec3& { return mesh.rest_positions[mesh.tets[tet][corners[i]]]; };
+  return (place(1) - place(0)).cross(place(2) - place(0)) / 6;
+}
+
+std::vector<std::uint8_t> sides_of_crack(const TetMesh& mesh, NodeId node, std::span<const Corners> star,
+                                         const Vec3& normal) {
+  return sides_along(mesh, node, star, normal, open_faces_at(mesh, std::span(&node, 1)));
+}
+
+Vec3 corner_force(const RestElement& rest, const ElementState& state, int corner) {
+  const auto traction = corner_traction(rest, state, corner);
+  return -rest.volume * Vec3(traction[0], traction[1], traction[2]);
+}
+
+double energy_release_rate(const TetMesh& mesh, NodeId node, std::span<const Corners> star,
+                           std::span<const Vec3> forces, const Vec3& normal) {
+  const std::vector<TetId>& tets = mesh.stars[node];
+  const std::vector<OpenFace> faces = open_faces_at(mesh, std::span(&node, 1));
+  if (faces.empty()) return 0;
+  const std::vector<std::uint8_t> above = sides_along(mesh, node, star, normal, faces);
+  Vec3 area = linked_area(mesh, node, above), opening = Vec3::Zero();
+  double weight = 0;
+  for (const OpenFace& face : faces) {
+    const Corners &first = star[index_in(tets, face.first)], &second = star[index_in(tets, face.second)];
+    const PlaneSide side = side_of(first, face, normal);
+    if (side == PlaneSide::across) continue;
+    const double sign = side == PlaneSide::lower ? 1 : -1;
+    const Vec3 third = third_of_face(mesh, face.first, face.first_corners);
+    area += sign * third;
+    for (int i = 0; i < 3; ++i) {
+      const int a = face.first_corners[i], b = face.second_corners[i];
+      if (mesh.tets[face.first][a] == mesh.tets[face.second][b]) continue;
+      opening += sign * third.norm() * (second.col(b) - first.col(a));
+      weight += third.norm();
+    }
+  }
+  if (weight == 0 || area.isZero(0)) return 0;
+  return std::max(0.0, 0.5 * reaction(mesh, tets, forces, above).dot(opening) / (weight * area.norm()));
+}
+
+}  // namespace griffith

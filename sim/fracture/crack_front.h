@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/fracture/separation_tensor.h"
+#include "sim/mesh/tet_mesh.h"
+
+namespace griffith {
+
+/// Two faces that coincide at rest but are not linked: the sides of a crack or of a slit in the mesh.
+struct OpenFace {
+  TetId first, second;
+  std::array<int, 3> first_corners{};   ///< corners of `first`, counterclockwise seen from outside it
+  std::array<int, 3> second_corners{};  ///< the coincident corners of `second`
+};
+
+/// Returns the pairs of open faces around nodes that coincide at rest: one at a crack front, or all copies of one.
+/// Ascending by `first`.
+std::vector<OpenFace> open_faces_at(const TetMesh& mesh, std::span<const NodeId> nodes);
+
+/// Returns a third of the area vector of a face at rest, out of `tet` [m²].
+Vec3 third_of_face(const TetMesh& mesh, TetId tet, const std::array<int, 3>& corners);
+
+/// Returns for each tet of a node's star whether it lies on the side of the plane to which `normal` points (1) or not
+/// (0): by its centroid; beside open faces, by the side of the crack that it belongs to, so that the crack goes on from
+/// these faces.
+///   star  corners of the star's tets as they are now [m]
+std::vector<std::uint8_t> sides_of_crack(const TetMesh& mesh, NodeId node, std::span<const Corners> star,
+                                         const Vec3& normal);
+
+/// Returns the force of an element on a corner [N]; `state`: of the whole element, also of a quadratic one.
+Vec3 corner_force(const RestElement& rest, const ElementState& state, int corner);
+
+/// Energy release rate of a crack that advances through a node of its front [J/m²], by virtual crack closure (Rybicki
+/// & Kanninen 1977) in three dimensions and all modes:
+///   G = ½ t·δ,  t = R / A
+///   R   force that the elements on both sides of the plane through the node with `normal` exert on each other at it
+///   A   part of the crack plane that belongs to the node: a third of each face between the sides, as a vector [m²]
+///   δ   opening one element behind: mean of the open faces at the node [m]
+/// 0 without such faces, or if the crack is pressed together.
+///   star    corners of the star's tets as they are now [m]
+///   forces  of these tets on the node [N]
+double energy_release_rate(const TetMesh& mesh, NodeId node, std::span<const Corners> star,
+                           std::span<const Vec3> forces, const Vec3& normal);
+
+}  // namespace griffith

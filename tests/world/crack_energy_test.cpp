@@ -1,0 +1,133 @@
+// A crack in a strip between fixed grips: by energy alone it runs if, and only if, the strip holds more than G_c per
+// area ahead of it (Rice 1967).
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/core/parallel.h"
+#include "sim/fracture/resistance.h"
+#include "sim/world/world.h"
+
+namespace griffith {
+namespace {
+
+constexpr double kHalfHeight = 0.5, kLength = 3, kNotch = 1, kSize = 0.125;  // [m]
+
+struct CrackedStrip {
+  BoxPattern pattern = BoxPattern::kuhn;
+  double energy = 1;  ///< held per area, over G_c
+  Integrator integrator = Integrator::hybrid;
+  Analysis analysis = Analysis::dynamic;
+  double budget = 1e4;
+};
+
+Material brittle() {
+  Material material = *find_material_preset("concrete");
+  material.poisson_ratio = 0;
+  material.tensile_strength = 1e9;  // energy alone decides
+  return material;
+}
+
+/// The strip as it is pulled within the first 5 ms, too tough to crack then.
+Scene pulled_strip(const CrackedStrip& strip) {
+  const Material material = brittle();
+  constexpr double kPull = 5e-3;  // ten times a wave takes from grip to grip and back [s]
+  Scene scene;
+  scene.gravity.setZero();
+  scene.ground.reset();
+  scene.analysis = strip.analysis;
+  scene.simulation.integrator = strip.integrator;
+  scene.simulation.time_step = 1e-3;
+  scene.simulation.step_budget = strip.budget;
+  BodyDescription body;
+  body.shape = NotchedBeamShape{Vec3(2 * kHalfHeight, kLength, kSize), kNotch, Vec3::Constant(kSize), strip.pattern};
+  body.material = material;
+  body.material.fracture_toughness = 1e12;
+  body.material.mass_damping = 2000;
+  const double strain = std::sqrt(strip.energy * fracture_energy(material) / (material.young_modulus * kHalfHeight));
+  for (const double side : {-1.0, 1.0}) {
+    Support grip;
+    grip.kind = SupportKind::prescribed;
+    grip.region = HalfSpaceRegion{Vec3(side * kHalfHeight, 0, 0), Vec3(side, 0, 0)};
+    grip.velocity = Vec3(side * strain * kHalfHeight / kPull, 0, 0);
+    grip.stop = kPull;
+    grip.can_tear = false;
+    body.supports.push_back(grip);
+  }
+  scene.bodies = {body};
+  return scene;
+}
+
+struct StripOutcome {
+  double advance = 0;  ///< over what is possible, 0..1
+  EnergyAccount energy;
+  double area = 0;  ///< [m²]
+};
+
+StripOutcome crack_of(const CrackedStrip& strip) {
+  World world(pulled_strip(strip));
+  for (int i = 0; i < 12; ++i) world.step();
+  world.set_material(0, brittle());
+  const EnergyAccount before = world.frame().energy;
+  for (int i = 0; i < 15; ++i) world.step();
+  StripOutcome outcome;
+  const double tip = kNotch - kLength / 2;
+  for (const CrackEvent& event : world.frame().crack_events)
+    outcome.advance = std::max(outcome.advance, (event.rest_position.y() - tip) / (kLength - kNotch));
+  outcome.energy = world.frame().energy;
+  outcome.energy -= before;
+  outcome.area = outcome.energy.crack_area;
+  return outcome;
+}
+
+class StripCrack : public ::testing::TestWithParam<BoxPattern> {};
+
+TEST_P(StripCrack, HoldsBelowTheFractureEnergy) {
+  for (const Integrator integrator : {Integrator::hybrid, Integrator::implicit})
+    EXPECT_EQ(crack_of({GetParam(), 0.75, integrator}).area, 0);
+  EXPECT_EQ(crack_of({GetParam(), 0.75, Integrator::hybrid, Analysis::static_}).area, 0);
+}
+
+TEST_P(StripCrack, RunsThroughAboveTheFractureEnergy) {
+  for (const Integrator integrator : {Integrator::hybrid, Integrator::implicit})
+    EXPECT_GT(crack_of({GetParam(), 1.6, integrator}).advance, 0.9);
+  EXPECT_GT(crack_of({GetParam(), 1.6, Integrator::hybrid, Analysis::static_}).advance, 0.9);
+}
+
+TEST_P(StripCrack, TakesTheFractureEnergyOfItsAreaInExplicitDynamics) {
+  for (const double energy : {1.6, 2.0}) {
+    const StripOutcome outcome = crack_of({GetParam(), energy});
+    const double whole = fracture_energy(brittle()) * (kLength - kNotch) * kSize;
+    EXPECT_NEAR(outcome.energy.fracture / whole, 1, 0.05) << energy;
+    EXPECT_LT(std::abs(outcome.energy.contacts), 0.05 * whole) << "the law of bonds agrees with their impulses";
+    EXPECT_LT(std::abs(outcome.energy.unaccounted()), 1e-3 * whole);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Patterns, StripCrack, ::testing::Values(BoxPattern::kuhn, BoxPattern::five_tet));
+
+TEST(StripCrackEnergy, ScaledBodiesTakeTheFractureEnergyToo) {
+  const StripOutcome outcome = crack_of({BoxPattern::kuhn, 1.6, Integrator::hybrid, Analysis::dynamic, 1});
+  const double whole = fracture_energy(brittle()) * (kLength - kNotch) * kSize;
+  EXPECT_GT(outcome.advance, 0.9);
+  EXPECT_NEAR(outcome.energy.fracture / whole, 1, 0.1);
+}
+
+TEST(StripCrackEnergy, HasTheSameBitsForAnyNumberOfThreads) {
+  const auto hash = [](int threads) {
+    const ThreadLimit limit(threads);
+    World world(pulled_strip({BoxPattern::five_tet, 1.6}));
+    for (int i = 0; i < 12; ++i) world.step();
+    world.set_material(0, brittle());
+    for (int i = 0; i < 3; ++i) world.step();
+    return world.state_hash();
+  };
+  const auto one = hash(1);
+  EXPECT_EQ(one, hash(2));
+  EXPECT_EQ(one, hash(4));
+}
+
+}  // namespace
+}  // namespace griffith
