@@ -207,7 +207,8 @@ void ContactPreconditioner::add_inertia() {
 }
 
 void ContactPreconditioner::find_slots() {
-  for (int contact = 0; contact < jacobian_.contacts(); ++contact)
+  for (int contact = 0; contact < jacobian_.contacts(); ++contact) {
+    slot_starts_.push_back(slots_.size());
     for (const auto* p = jacobian_.begin(contact); p != jacobian_.end(contact); ++p)
       for (const auto* q = jacobian_.begin(contact); q <= p; ++q)
         for (int i = p->offset / 3; i < (p->offset + p->width) / 3; ++i)
@@ -215,12 +216,14 @@ void ContactPreconditioner::find_slots() {
             slots_.push_back(matrix_.slot(i, j));
             if (p != q) slots_.push_back(matrix_.slot(j, i));
           }
+  }
 }
 
 bool ContactPreconditioner::factor(const std::vector<Mat3>& stiffness) {
   matrix_.blocks = inertia_;
-  const int* slot = slots_.data();
-  for (int contact = 0; contact < jacobian_.contacts(); ++contact)
+  for (int contact = 0; contact < jacobian_.contacts(); ++contact) {
+    if (stiffness[contact].isZero(0)) continue;  // open
+    const int* slot = slots_.data() + slot_starts_[contact];
     for (const auto* p = jacobian_.begin(contact); p != jacobian_.end(contact); ++p) {
       const Eigen::Matrix<double, 6, 3> stiff = p->values.transpose() * stiffness[contact];
       for (const auto* q = jacobian_.begin(contact); q <= p; ++q)
@@ -231,6 +234,7 @@ bool ContactPreconditioner::factor(const std::vector<Mat3>& stiffness) {
             if (p != q) matrix_.blocks[*slot++] += product.transpose();
           }
     }
+  }
   factors_ = BlockCholesky::factor(plan_, matrix_);
   return factors_ != nullptr;
 }

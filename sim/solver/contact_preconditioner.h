@@ -59,10 +59,11 @@ class ContactPreconditioner {
   std::span<const RigidInertia> rigid_;
   std::vector<BodyUnknowns> bodies_;
   int first_rigid_ = 0, rigid_offset_ = 0, unknowns_ = 0;
-  ContactJacobian jacobian_;   // J Π
-  BlockSparseMatrix matrix_;   // of the unknowns, three a row
-  std::vector<Mat3> inertia_;  // blocks of matrix_ without contacts
-  std::vector<int> slots_;     // of matrix_: per contact and pair of its 3×3 blocks
+  ContactJacobian jacobian_;              // J Π
+  BlockSparseMatrix matrix_;              // of the unknowns, three a row
+  std::vector<Mat3> inertia_;             // blocks of matrix_ without contacts
+  std::vector<int> slots_;                // of matrix_: per contact and pair of its 3×3 blocks
+  std::vector<std::size_t> slot_starts_;  // per contact
   std::shared_ptr<const EliminationPlan> plan_;
   std::shared_ptr<const BlockCholesky> factors_;
 };

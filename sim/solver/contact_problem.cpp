@@ -52,12 +52,16 @@ class ContactSolver {
 
   ContactSolveReport solve() {
     bool responded = false;
-    for (int round = 0; round < tolerance_.max_rounds && !responded; ++round) {
+    for (int round = 0; round < tolerance_.max_rounds; ++round) {
       const Minimum found = minimize(round + 1 == tolerance_.max_rounds);
       const RoundChanges changes = finish_round();
       if (found == Minimum::none) report_.unconverged = static_cast<int>(contacts_.size());
       if (report_.unconverged == 0 && found == Minimum::exact) responded = respond();
-      if (!responded && found != Minimum::none) begin_round(changes);
+      if (responded) break;
+      if (changes.hardens || stiffness_.empty())
+        lifts_ = changes.lifts;
+      else
+        begin_round(changes);
     }
     if (!responded) respond();
     for (std::size_t i = 0; i < contacts_.size(); ++i) contacts_[i].impulse = impulses_.col(i);
@@ -126,16 +130,17 @@ class ContactSolver {
   /// method for all of the law); alone they converge slowly, or not at all, where shards rest on their corners.
   void begin_round(RoundChanges changes) {
     constexpr double kNear = 0.1, kContracting = 0.7, kRetry = 0.3;
-    if (changes.hardens) return void(lifts_ = changes.lifts);  // it would begin where softer contacts let them move
     if (is_coupled_ && outer_change_ > kContracting * last_change_) near_ = kRetry * last_change_;
     is_coupled_ = outer_change_ < std::min(near_, kNear * to_change_);
-    go(direction(impulses_on_bodies(changes.pushes)));
+    Eigen::VectorXd d = direction(impulses_on_bodies(changes.pushes));
+    const Eigen::Matrix3Xd u = u_ + motion_.of(d);
     for (std::size_t i = 0; i < contacts_.size(); ++i)
-      if (!impulses_.col(i).isZero(0)) changes.lifts[i] = contacts_[i].friction * u_.col(i).tail<2>().norm();
+      if (!impulses_.col(i).isZero(0)) changes.lifts[i] = contacts_[i].friction * u.col(i).tail<2>().norm();
     Eigen::VectorXd more = changes.lifts - lifts_;
-    if (is_coupled_) more = (lifts_ + coupled_lifts(more)).cwiseMax(0) - lifts_;
-    go(direction(impulses_on_bodies(impulses_of_lifts(more))));
+    if (is_coupled_) more = (lifts_ + coupled_lifts(u, more)).cwiseMax(0) - lifts_;
+    d += direction(impulses_on_bodies(impulses_of_lifts(more)));
     lifts_ += more;
+    search_along(d);
   }
 
   /// Impulses that lifts take from contacts which move as they did.
@@ -152,12 +157,12 @@ class ContactSolver {
   }
 
   /// Takes what lifts lack where contacts move as they do; returns what they lack once contacts slide accordingly.
-  Eigen::VectorXd coupled_lifts(const Eigen::VectorXd& missing) const {
+  Eigen::VectorXd coupled_lifts(const Eigen::Matrix3Xd& u, const Eigen::VectorXd& missing) const {
     constexpr double kAccuracy = 0.01;
     constexpr int kMost = 30;
     Eigen::Matrix2Xd slope = Eigen::Matrix2Xd::Zero(2, u_.cols());  // of lifts by velocities
     for (Eigen::Index i = 0; i < u_.cols(); ++i)
-      if (is_sliding(i)) slope.col(i) = contacts_[i].friction * u_.col(i).tail<2>().normalized();
+      if (is_sliding(i)) slope.col(i) = contacts_[i].friction * u.col(i).tail<2>().normalized();
     const auto multiply = [&](const Eigen::VectorXd& lifts) {
       Eigen::VectorXd change;
       preconditioner_.apply(impulses_on_bodies(impulses_of_lifts(lifts)), change);
@@ -179,7 +184,8 @@ class ContactSolver {
     const Eigen::Matrix3Xd beyond = response_.respond(impulses_, y_), change = beyond - beyond_;
     beyond_ = beyond;
     u_ += change;
-    report_.unconverged += static_cast<int>((change.colwise().norm().array() > negligible_speed()).count());
+    const auto moved = static_cast<int>((change.colwise().norm().array() > negligible_speed()).count());
+    report_.unconverged = std::max(report_.unconverged, moved);
     return report_.unconverged == 0;
   }
 
@@ -242,15 +248,6 @@ class ContactSolver {
       ++report_.iterations;
     }
     return d;
-  }
-
-  /// Goes all of a direction.
-  void go(const Eigen::VectorXd& d) {
-    Eigen::VectorXd a_d;
-    bodies_.multiply(d, a_d);
-    y_ += d;
-    a_y_ += a_d;
-    u_ += motion_.of(d);
   }
 
   /// Goes to the minimum along a direction; false where that does not lead down.
