@@ -94,13 +94,13 @@ SpecimenScene kalthoff_scene(double size) {
   BodyDescription& plate = add_body(specimen, cut_into_tets(hexes, BoxPattern::five_tet), steel);
   plate.supports = plane_strain(size);
   plate.supports.push_back(sliding_support(end_region(-Vec3::UnitY(), kImpactHeight / 2), Vec3::UnitY()));
-  Support blow;
-  blow.kind = SupportKind::prescribed;
-  blow.region = BoxRegion{Vec3(-kImpactWidth / 2, -kImpactHeight / 2, -1) - Vec3::Constant(1e-6),
-                          Vec3(-kImpactWidth / 2 + 1e-6, height - size / 2, 1)};
-  blow.velocity = Vec3(16.5, 0, 0);
-  blow.can_tear = false;
-  plate.supports.push_back(blow);
+  Support impact;
+  impact.kind = SupportKind::prescribed;
+  impact.region = BoxRegion{Vec3(-kImpactWidth / 2, -kImpactHeight / 2, -1) - Vec3::Constant(1e-6),
+                            Vec3(-kImpactWidth / 2 + 1e-6, height - size / 2, 1)};
+  impact.velocity = Vec3(16.5, 0, 0);
+  impact.can_tear = false;
+  plate.supports.push_back(impact);
   return specimen;
 }
 

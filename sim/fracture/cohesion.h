@@ -22,8 +22,8 @@ struct Bond {
 
 /// Returns the force of a bond at its opening now, which acts on a motion of its ends apart to `opening` [m] [N]. Each
 /// newton takes back `compliance` of that [m/N], > 0; no more is taken back than stops it. Updates the bond, which
-/// breaks in the motion that uses up its energy. By a leapfrog scheme the force works over half of the motion before and
-/// half of that after it; the sum over all motions is the bond's energy to second order.
+/// breaks in the motion that uses up its energy. By a leapfrog scheme the force works over half of the motion before
+/// and half of that after it; the sum over all motions is the bond's energy to second order.
 double pull(Bond& bond, double opening, double compliance);
 
 /// Opened face that still holds.

@@ -43,14 +43,16 @@ Vec3 out_of(const Corners& tet, const std::array<int, 3>& corners) {
   return (place(1) - place(0)).cross(place(2) - place(0));
 }
 
-/// Side of a plane on which the first side of an open face lies, seen along its normal; across: the face is too steep
-/// against the plane to belong to the same crack.
-enum class PlaneSide { lower, upper, across };
-PlaneSide side_of(const Corners& first, const OpenFace& face, const Vec3& normal) {
-  constexpr double kSteep = 0.5;  // cosine
+/// Smallest cosines of the angle between a plane and an open face that counts as part of a crack along it, and by
+/// which the sides of the tets beside it follow.
+constexpr double kSameCrack = 0.5, kSamePlane = 0.8;
+
+/// Returns 1 if the first side of an open face is the lower one, seen along a plane's normal, and -1 if it is the upper
+/// one; 0 if the face is steeper against the plane than `least_cosine`.
+int side_of(const Corners& first, const OpenFace& face, const Vec3& normal, double least_cosine) {
   const Vec3 out = out_of(first, face.first_corners);
-  const double along = out.dot(normal) / out.norm();
-  return std::abs(along) < kSteep ? PlaneSide::across : along > 0 ? PlaneSide::lower : PlaneSide::upper;
+  const double cosine = out.dot(normal) / out.norm();
+  return std::abs(cosine) < least_cosine ? 0 : cosine > 0 ? 1 : -1;
 }
 
 std::ptrdiff_t index_in(const std::vector<TetId>& star, TetId tet) {
@@ -90,10 +92,10 @@ std::vector<std::uint8_t> sides_along(const TetMesh& mesh, NodeId node, std::spa
   for (const Corners& tet : star) above.push_back(normal.dot(tet.rowwise().mean() - place) > 0);
   for (const OpenFace& face : faces) {
     const auto first = index_in(mesh.stars[node], face.first), second = index_in(mesh.stars[node], face.second);
-    const PlaneSide side = side_of(star[first], face, normal);
-    if (side == PlaneSide::across) continue;
-    above[first] = side == PlaneSide::upper;
-    above[second] = side == PlaneSide::lower;
+    const int side = side_of(star[first], face, normal, kSamePlane);
+    if (side == 0) continue;
+    above[first] = side < 0;
+    above[second] = side > 0;
   }
   return above;
 }
@@ -137,9 +139,8 @@ double energy_release_rate(const TetMesh& mesh, NodeId node, std::span<const Cor
   double weight = 0;
   for (const OpenFace& face : faces) {
     const Corners &first = star[index_in(tets, face.first)], &second = star[index_in(tets, face.second)];
-    const PlaneSide side = side_of(first, face, normal);
-    if (side == PlaneSide::across) continue;
-    const double sign = side == PlaneSide::lower ? 1 : -1;
+    const int sign = side_of(first, face, normal, kSameCrack);
+    if (sign == 0) continue;
     const Vec3 third = third_of_face(mesh, face.first, face.first_corners);
     area += sign * third;
     for (int i = 0; i < 3; ++i) {
