@@ -183,7 +183,7 @@ Experiment ring_fragmentation() {
               "= E G_c/σ_t² = 154 mm. "
               "Measured is the mean length of its pieces after 0.5 ms, over 4.5 l/(1 + 4.5 ε̇^⅔).",
           .acceptance = "The published length within its scatter, × 0.67 to 1.5; ± 15 % over meshes.",
-          .cause = "Opening a node takes no energy, so that elements decide the length of pieces.",
+          .cause = "Cracks open at nodes, so that elements limit how close they come.",
           .meshes = {"h = 20 mm", "h = 10 mm", "h = 5 mm"},
           .run = run_ring,
           .pictured = [] { return broken_ring(2, 1); }};

@@ -9,6 +9,7 @@
 #include "app/study/run_record.h"
 #include "program.h"
 #include "sim/core/descriptor.h"
+#include "sim/core/number_text.h"
 #include "sim/core/read_file.h"
 
 namespace griffith::app {
@@ -228,7 +229,7 @@ TEST(FindCommand, BracketsTheSpeedAtWhichAWallBreaks) {
   EXPECT_LE(flip["above"].get<double>() / flip["below"].get<double>(), 1.05);
   for (const char* side : {"below", "above"}) {
     const fs::path file = test_folder() / "outcomes.json";
-    const std::string speed = flip[side].dump();
+    const std::string speed = number_text(flip[side].get<double>());
     ASSERT_NE(found.output.find("--set projectiles/0/speed=" + speed), std::string::npos) << found.output;
     run_program("simulate " + scene.string() + " --frames 20 --set projectiles/0/speed=" + speed + " --outcomes " +
                 file.string());

@@ -71,7 +71,8 @@ StripOutcome crack_of(const CrackedStrip& strip) {
   for (int i = 0; i < 12; ++i) world.step();
   world.set_material(0, brittle());
   const EnergyAccount before = world.frame().energy;
-  for (int i = 0; i < 15; ++i) world.step();
+  const int steps = strip.integrator == Integrator::implicit ? 60 : 15;  // a row of nodes waits for the next at least
+  for (int i = 0; i < steps; ++i) world.step();
   StripOutcome outcome;
   const double tip = kNotch - kLength / 2;
   for (const CrackEvent& event : world.frame().crack_events)
@@ -100,7 +101,9 @@ TEST_P(StripCrack, TakesTheFractureEnergyOfItsAreaInExplicitDynamics) {
   for (const double energy : {1.6, 2.0}) {
     const StripOutcome outcome = crack_of({GetParam(), energy});
     const double whole = fracture_energy(brittle()) * (kLength - kNotch) * kSize;
-    EXPECT_NEAR(outcome.energy.fracture / whole, 1, 0.05) << energy;
+    // Bonds of the last row are dropped as soon as nothing else connects the halves.
+    EXPECT_LT(outcome.energy.fracture / whole, 1.02) << energy;
+    EXPECT_GT(outcome.energy.fracture / whole, 0.98 - 1.5 * kSize / (kLength - kNotch)) << energy;
     EXPECT_LT(std::abs(outcome.energy.contacts), 0.05 * whole) << "the law of bonds agrees with their impulses";
     EXPECT_LT(std::abs(outcome.energy.unaccounted()), 1e-3 * whole);
   }

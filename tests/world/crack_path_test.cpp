@@ -117,6 +117,7 @@ TEST_P(CrackPath, ADiscSplitsAlongItsLoad) {
     EXPECT_GT(std::abs(first.normal.x()), 0.97) << "across the load";
   });
 
+  if (GetParam() == BoxPattern::bcc) return;  // cracks are rough there: no face lies in a lattice plane
   // Compressed between platens, so that the load falls as the disc breaks.
   for (std::size_t i = 0; i < 2; ++i) {
     Support platen;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -364,6 +365,14 @@ int steps_of(const std::string& scene) {
   return shatters_early ? 16 : 48;
 }
 
+/// Shattered bodies of quadratic elements close less well (docs/fracture.md, "Where the energy goes").
+double tolerance_of(const Scene& scene) {
+  constexpr double kShattered = 0.05;
+  const bool is_quadratic = std::ranges::any_of(
+      scene.bodies, [](const BodyDescription& body) { return body.elements == ElementOrder::quadratic; });
+  return is_quadratic ? kShattered : kTolerance;
+}
+
 TEST(EnergyAccount, EverySceneCloses) {
   int scenes = 0, cracked = 0;
   for (const auto& file : std::filesystem::directory_iterator(GRIFFITH_SOURCE_DIR "/scenes")) {
@@ -377,7 +386,7 @@ TEST(EnergyAccount, EverySceneCloses) {
       for (int i = 0; i < steps; ++i) world.step();
       const Frame frame = world.frame();
       EXPECT_GT(frame.energy.turned_over(), 0) << file.path();
-      EXPECT_LT(fraction_unaccounted(frame.energy), kTolerance) << file.path();
+      EXPECT_LT(fraction_unaccounted(frame.energy), tolerance_of(scene)) << file.path();
       cracked += integrator == Integrator::hybrid && !frame.crack_events.empty();
     }
   }

@@ -78,7 +78,7 @@ TEST(Hybrid, StepsShorterThanTheTransitOfAnElementBreakAsMuch) {
   const auto mean_damage_in = [](double time_step) {
     Damage mean;
     for (int shot = 0; shot < kShots; ++shot) {
-      Scene scene = struck_plate(15, time_step, shot);
+      Scene scene = struck_plate(25, time_step, shot);
       scene.bodies[0].shape = BoxShape{Vec3(1, 1, 0.1), Vec3(0.2, 0.2, 0.1), BoxPattern::five_tet};
       const Damage damage = damage_of(scene, 1.0 / 30);
       mean.pieces += damage.pieces / kShots;
@@ -155,7 +155,7 @@ TEST(Hybrid, DebrisThatSpinsBesideTheGroundCutsNoStepToPieces) {
     world.step();
     EXPECT_LE(world.frame().report.substeps, 16) << step;
   }
-  EXPECT_GT(world.frame().bodies.size(), 200u);
+  EXPECT_GT(world.frame().bodies.size(), 50u);
 }
 
 TEST(Hybrid, SlowImpactsAndRestNeedNoMicrosteps) {

@@ -22,7 +22,7 @@ constexpr std::array kEntries = {
                 &EnergyAccount::projectiles},
     EnergyEntry{"edits", "Edits", "Energy added by edits of materials during the run.", put_in, &EnergyAccount::edits},
     EnergyEntry{"plastic", "Plastic", "Work of plastic flow.", lost, &EnergyAccount::plastic},
-    EnergyEntry{"fracture", "Fracture", "Taken by opening cracks in explicit dynamics, up to G_c per area.", lost,
+    EnergyEntry{"fracture", "Taken by cracks", "Taken by opening cracks in explicit dynamics, up to G_c per area.", lost,
                 &EnergyAccount::fracture},
     EnergyEntry{"contacts", "Lost in contacts", "Friction, impacts without rebound, and rolling resistance.", lost,
                 &EnergyAccount::contacts},

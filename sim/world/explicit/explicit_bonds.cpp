@@ -4,6 +4,7 @@
 
 #include "sim/fracture/cohesion.h"
 #include "sim/fracture/resistance.h"
+#include "sim/mesh/topology.h"
 #include "sim/world/explicit/explicit_run.h"
 #include "sim/world/phases/separation_phase.h"
 
@@ -141,13 +142,22 @@ void ExplicitRun::store_bonds() {
   }
 }
 
-/// Drops the bonds between pieces that microsteps do not follow together any more.
-void ExplicitRun::drop_parted_bonds() {
-  const auto is_explicit = [&](BodyId body) { return world_.bodies[body].explicit_state.has_value(); };
-  std::erase_if(world_.cohesive_faces, [&](const CohesiveFace& known) {
-    const BodyId first = world_.elements.bodies[known.face.first], second = world_.elements.bodies[known.face.second];
-    return first != second && !(is_explicit(first) && is_explicit(second));
-  });
+/// Drops the bonds between pieces that the cracks since that event have separated entirely: pieces move on their own,
+/// whether microsteps still follow them together or not.
+void ExplicitRun::drop_parted_bonds(std::size_t first_event) {
+  std::set<BodyId> opened;
+  for (std::size_t i = first_event; i < world_.crack_events.size(); ++i) opened.insert(world_.crack_events[i].body);
+  std::vector<int> piece_of_slot(tets_.size(), -1);
+  int pieces = 0;
+  for (const BodyId body : opened)
+    for (const std::vector<TetId>& piece : connected_components(world_.mesh, world_.bodies[body].tets)) {
+      for (const TetId tet : piece) piece_of_slot[slot_of_tet_[tet]] = pieces;
+      ++pieces;
+    }
+  if (pieces > static_cast<int>(opened.size()))
+    contacts_->drop_bonds([&](const explicit_dynamics::CrackSides& crack) {
+      return piece_of_slot[crack.first_slot] != piece_of_slot[crack.second_slot];
+    });
 }
 
 }  // namespace griffith

@@ -290,7 +290,6 @@ void ExplicitRun::finish(double duration) {
     body.explicit_state.reset();
     body.explicit_ended = time_;
   }
-  drop_parted_bonds();
 }
 
 }  // namespace griffith
