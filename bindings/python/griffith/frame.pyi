@@ -90,6 +90,7 @@ class Frame:
     energy_plastic: float
     energy_contacts: float
     energy_material_damping: float
+    energy_fracture: float
     energy_microstep_damping: float
     energy_time_integration: float
     energy_hand_over: float
