@@ -104,7 +104,7 @@ struct CohesiveUnits {
 
 CohesiveUnits cohesive_units(const Material& material) {
   const double length =
-      material.young_modulus * fracture_energy_of(material) / (material.tensile_strength * material.tensile_strength);
+      material.young_modulus * fracture_energy(material) / (material.tensile_strength * material.tensile_strength);
   return {length, material.tensile_strength / material.young_modulus * bar_wave_speed(material) / length};
 }
 

@@ -69,7 +69,7 @@ constexpr double kArmHeight = 0.02, kArmCrack = 0.1, kArmLength = 0.2;  // [m]; 
 double cantilever_force(const Material& material) {
   const double modulus = material.young_modulus / (1 - material.poisson_ratio * material.poisson_ratio);
   const double correction = 1 + 0.64 * kArmHeight / kArmCrack;
-  return std::sqrt(fracture_energy_of(material) * modulus * std::pow(kArmHeight, 3) / 12) / (kArmCrack * correction);
+  return std::sqrt(fracture_energy(material) * modulus * std::pow(kArmHeight, 3) / 12) / (kArmCrack * correction);
 }
 
 /// Returns a bar, slit along its middle, whose arms forces pull apart at its end.

@@ -1,7 +1,7 @@
 #include "app/validate/specimen.h"
 
 #include <cmath>
-#include <map>
+#include <limits>
 
 #include "app/study/flip_search.h"
 
@@ -53,21 +53,6 @@ Load traction_on(const Region& region, const Vec3& traction) {
   return load;
 }
 
-void open_slit(HexMesh& mesh, const Vec3& normal, const std::function<bool(const Vec3& point)>& inside) {
-  std::map<int, int> copies;
-  for (std::array<int, 8>& cell : mesh.cells) {
-    Vec3 center = Vec3::Zero();
-    for (const int corner : cell) center += mesh.points[corner] / 8;
-    for (int& corner : cell) {
-      const Vec3 point = mesh.points[corner];
-      if (!inside(point) || (center - point).dot(normal) < 0) continue;
-      const auto [copy, is_new] = copies.emplace(corner, static_cast<int>(mesh.points.size()));
-      if (is_new) mesh.points.push_back(point);
-      corner = copy->second;
-    }
-  }
-}
-
 double lowest_breaking(double low, double high, double tolerance, const std::function<bool(double)>& breaks) {
   FlipSearch search;
   search.geometric = true;
@@ -105,11 +90,6 @@ bool fails_statically(const SpecimenScene& specimen, double area) {
     if (world.frame().report.cracks == 0) return false;
   }
   return false;
-}
-
-double fracture_energy_of(const Material& material) {
-  return material.fracture_toughness * material.fracture_toughness *
-         (1 - material.poisson_ratio * material.poisson_ratio) / material.young_modulus;
 }
 
 double rayleigh_wave_speed(const Material& material) {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <utility>
 
+#include "sim/fracture/resistance.h"
 #include "sim/mesh/hex_mesh.h"
 #include "sim/scene/scene.h"
 #include "sim/world/world.h"
@@ -37,9 +38,6 @@ std::vector<Support> plane_strain(double thickness);
 /// Returns a traction [Pa] on a region's faces.
 Load traction_on(const Region& region, const Vec3& traction);
 
-/// Opens a slit: nodes for which `inside` holds get copies, used by the cells on the side of `normal`.
-void open_slit(HexMesh& mesh, const Vec3& normal, const std::function<bool(const Vec3& point)>& inside);
-
 /// Returns the lowest value in [low, high] for which `breaks` holds, to within a relative tolerance, if it holds above
 /// some value and not below; NaN if it holds at `low` already or not even at `high`. `low` > 0.
 double lowest_breaking(double low, double high, double tolerance, const std::function<bool(double)>& breaks);
@@ -50,8 +48,6 @@ SpecimenScene loaded(SpecimenScene specimen, double factor);
 /// True if a crack runs through the specimen under its loads: in equilibrium, cracks open more than `area` [m²].
 bool fails_statically(const SpecimenScene& specimen, double area);
 
-/// Returns the fracture energy G_c = K_Ic² (1 − ν²)/E [J/m²].
-double fracture_energy_of(const Material& material);
 /// Returns the speed of Rayleigh waves by Viktorov's approximation [m/s].
 double rayleigh_wave_speed(const Material& material);
 

@@ -97,6 +97,7 @@ std::vector<Reading> run_torsion(int mesh) {
   return readings;
 }
 
+constexpr const char* kRankine = "Strength is the largest principal stress (Rankine), which is 40 MPa in any tension.";
 constexpr const char* kNineCircles = "Kamarei, Zeng, Dolbow & Lopez-Pamies 2026";
 
 }  // namespace
@@ -123,7 +124,7 @@ Experiment biaxial_tension() {
               "tractions on four sides. Measured is the traction at the first separation, over 27.0 MPa: the "
               "equibiaxial strength of Drucker and Prager's surface through both.",
           .acceptance = "27.0 MPa ± 10 %; ± 15 % over meshes and patterns.",
-          .cause = "Strength is the largest principal stress (Rankine), which is 40 MPa in any tension.",
+          .cause = kRankine,
           .meshes = {"h = L/2", "h = L/4", "h = L/8"},
           .quick = true,
           .run = [](int mesh) { return block_readings(2, StrengthSurface().equibiaxial(), 0.1, mesh); }};
@@ -137,7 +138,7 @@ Experiment hydrostatic_tension() {
               "A block of the same glass under equal tractions on all six sides. Measured is the traction at the "
               "first separation, over the hydrostatic strength of 27.8 MPa.",
           .acceptance = "27.8 MPa ± 10 %; ± 15 % over meshes and patterns.",
-          .cause = "Strength is the largest principal stress (Rankine), which is 40 MPa in any tension.",
+          .cause = kRankine,
           .meshes = {"h = L/2", "h = L/4", "h = L/8"},
           .quick = true,
           .run = [](int mesh) { return block_readings(3, StrengthSurface().hydrostatic(), 0.1, mesh); }};

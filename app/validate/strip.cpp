@@ -25,7 +25,7 @@ double strip_modulus(const Material& material) { return lame_lambda(material) + 
 
 /// Strain at which the strip holds `energy` times G_c per area.
 double strip_strain(const Material& material, double energy) {
-  return std::sqrt(energy * fracture_energy_of(material) / (strip_modulus(material) * kStripHalfHeight));
+  return std::sqrt(energy * fracture_energy(material) / (strip_modulus(material) * kStripHalfHeight));
 }
 
 /// Returns a time in which the grips move [s]: five periods of the waves between them, which then cancel.
@@ -71,13 +71,6 @@ std::optional<double> time_of_arrival(const Frame& frame, double y) {
   return std::nullopt;
 }
 
-/// Returns an entry of the energy account [J]; 0 if the account has none of this key.
-double account_entry(const EnergyAccount& account, std::string_view key) {
-  for (const EnergyEntry& entry : energy_entries())
-    if (entry.key == key) return account.*entry.value;
-  return 0;
-}
-
 struct StripResult {
   double advance = 0;  ///< fraction of the possible advance, 0..1
   double speed = 0;    ///< over that of Rayleigh waves; NaN if the crack did not cross the middle
@@ -101,7 +94,7 @@ StripResult strip_result(const Frame& frame, const Material& material) {
                      ? 0.5 * kStripAdvance / (*late - *early) / rayleigh_wave_speed(material)
                      : std::numeric_limits<double>::quiet_NaN();
   const double area = frame.energy.crack_area;
-  result.taken = area > 0 ? account_entry(frame.energy, "fracture") / (fracture_energy_of(material) * area) : 0;
+  result.taken = area > 0 ? frame.energy.fracture / (fracture_energy(material) * area) : 0;
   return result;
 }
 

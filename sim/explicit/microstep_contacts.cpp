@@ -97,9 +97,7 @@ void MicrostepContacts::add_side(const ExplicitBodies& bodies, const SurfaceSide
 
 int MicrostepContacts::open(const ExplicitBodies& bodies, const CrackSides& sides) {
   cracks_.push_back({{}, sides});
-  const auto add = [&](int slot, const std::array<int, 3>& corners) {
-    add_side(bodies, {slot, 6 - corners[0] - corners[1] - corners[2]});
-  };
+  const auto add = [&](int slot, const std::array<int, 3>& corners) { add_side(bodies, {slot, face_of(corners)}); };
   add(sides.first_slot, sides.first_corners);
   add(sides.second_slot, sides.second_corners);
   // The new crack is still empty; objects have to get there first.

@@ -143,6 +143,26 @@ TetSoup cut_into_tets(const HexMesh& hexes, BoxPattern pattern) {
   return {};
 }
 
+void open_slit(HexMesh& mesh, const Vec3& normal, const std::function<bool(const Vec3& point)>& inside) {
+  for (int node = static_cast<int>(mesh.originals.size()); node < static_cast<int>(mesh.points.size()); ++node)
+    mesh.originals.push_back(node);
+  std::map<int, int> copies;
+  for (std::array<int, 8>& cell : mesh.cells) {
+    Vec3 center = Vec3::Zero();
+    for (const int corner : cell) center += mesh.points[corner] / 8;
+    for (int& corner : cell) {
+      const Vec3 point = mesh.points[corner];
+      if (!inside(point) || (center - point).dot(normal) < 0) continue;
+      const auto [copy, is_new] = copies.emplace(corner, static_cast<int>(mesh.points.size()));
+      if (is_new) {
+        mesh.points.push_back(point);
+        mesh.originals.push_back(mesh.originals[corner]);
+      }
+      corner = copy->second;
+    }
+  }
+}
+
 int HexMeshBuilder::node(const Key& key, const Vec3& position) {
   const auto [entry, is_new] = nodes_.emplace(key, static_cast<int>(mesh_.points.size()));
   if (is_new) mesh_.points.push_back(position);

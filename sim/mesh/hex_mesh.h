@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -30,6 +31,10 @@ struct HexMesh {
 /// corners of one color; an edge cycle of odd length is a programming error. `bcc`: a node in the center of each cell,
 /// 4 tets around each inner face, 2 on each outer one.
 TetSoup cut_into_tets(const HexMesh& hexes, BoxPattern pattern);
+
+/// Opens a slit: nodes for which `inside` holds get copies, used by the cells on the side of `normal`. Both sides keep
+/// the same diagonals.
+void open_slit(HexMesh& mesh, const Vec3& normal, const std::function<bool(const Vec3& point)>& inside);
 
 /// Builder of hexahedra from mapped blocks. Four integers chosen by the caller identify a node, so blocks share nodes
 /// of the same integers.

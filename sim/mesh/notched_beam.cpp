@@ -1,4 +1,3 @@
-#include <numeric>
 #include <string>
 
 #include "sim/core/error.h"
@@ -18,28 +17,6 @@ void place_rows(HexMesh& beam, double height, double notch_depth, int tip_row, i
   }
 }
 
-/// Gives the cells on the far side of the slit separate nodes on its face, below the tip.
-void open_slit(HexMesh& beam, int middle_column, int tip_row, int rows, int nodes_per_row) {
-  std::vector<int> copies(beam.points.size(), -1);
-  const int originals = static_cast<int>(beam.points.size());
-  const int columns = nodes_per_row - 1;
-  beam.originals.resize(originals);
-  std::iota(beam.originals.begin(), beam.originals.end(), 0);
-  for (std::size_t i = 0; i < beam.cells.size(); ++i) {
-    if (static_cast<int>(i) % columns != middle_column) continue;  // cells right of the slit
-    for (int& corner : beam.cells[i]) {
-      if (corner >= originals || corner % nodes_per_row != middle_column) continue;
-      if (corner / nodes_per_row % (rows + 1) >= tip_row) continue;
-      if (copies[corner] < 0) {
-        copies[corner] = static_cast<int>(beam.points.size());
-        beam.points.push_back(Vec3(beam.points[corner]));
-        beam.originals.push_back(corner);
-      }
-      corner = copies[corner];
-    }
-  }
-}
-
 }  // namespace
 
 TetSoup make_notched_beam(const Vec3& size, double notch_depth, const Vec3& element_size, BoxPattern pattern) {
@@ -53,7 +30,8 @@ TetSoup make_notched_beam(const Vec3& size, double notch_depth, const Vec3& elem
   HexMesh beam = make_box_hexes(size, {2 * half_columns, rows, levels});
   const int nodes_per_row = 2 * half_columns + 1;
   place_rows(beam, size.y(), notch_depth, tip_row, rows, nodes_per_row);
-  open_slit(beam, half_columns, tip_row, rows, nodes_per_row);
+  const double middle = beam.points[half_columns].x(), tip = beam.points[tip_row * nodes_per_row].y();
+  open_slit(beam, Vec3::UnitX(), [&](const Vec3& point) { return point.x() == middle && point.y() < tip; });
   return cut_into_tets(beam, pattern);
 }
 

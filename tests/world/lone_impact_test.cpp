@@ -92,7 +92,7 @@ TEST(LoneImpact, NothingBreaksThatATrialFoundSafe) {
   EXPECT_GT(broken, 50);
   EXPECT_GT(safe, (met - broken) / 2) << "or nothing is gained";
   RecordProperty("met", met);
-  RecordProperty("harmless", safe);
+  RecordProperty("safe", safe);
   RecordProperty("broken", broken);
 }
 

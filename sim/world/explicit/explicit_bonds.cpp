@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "sim/fracture/cohesion.h"
 #include "sim/fracture/resistance.h"
@@ -28,8 +29,6 @@ struct PartedCopies {
   };
   std::vector<FaceCorner> corners;
 };
-
-int face_of(const std::array<int, 3>& corners) { return 6 - corners[0] - corners[1] - corners[2]; }
 
 /// Returns the pairs of copies between which faces are open.
 std::vector<PartedCopies> copies_between(const TetMesh& mesh, std::span<const NodeId> copies,
@@ -91,7 +90,7 @@ double ExplicitRun::front_stress(NodeId node) const {
 }
 
 void ExplicitRun::bond(const OpenFace& face, int corner, const Bond& bond) {
-  const int first = crack_of_side_[4 * slot_of_tet_[face.first] + face_of(face.first_corners)];
+  const int first = crack_of_side_[4 * slot_of_tet_[face.first] + explicit_dynamics::face_of(face.first_corners)];
   if (first < 0) return;  // a slit that was in the mesh from the start holds nothing
   const explicit_dynamics::CrackSides& crack = contacts_->crack(first);
   const bool is_first = crack.first_slot == slot_of_tet_[face.first];
@@ -103,9 +102,8 @@ void ExplicitRun::bond(const OpenFace& face, int corner, const Bond& bond) {
 /// Notes which crack a face of the bodies is a side of.
 void ExplicitRun::list_crack(int index) {
   const explicit_dynamics::CrackSides& crack = contacts_->crack(index);
-  crack_of_side_.resize(4 * tets_.size(), -1);
-  crack_of_side_[4 * crack.first_slot + face_of(crack.first_corners)] = index;
-  crack_of_side_[4 * crack.second_slot + face_of(crack.second_corners)] = index;
+  crack_of_side_[4 * crack.first_slot + explicit_dynamics::face_of(crack.first_corners)] = index;
+  crack_of_side_[4 * crack.second_slot + explicit_dynamics::face_of(crack.second_corners)] = index;
 }
 
 /// Bonds faces as the world knows it. What has opened since the last microsteps has broken so far for nothing.
