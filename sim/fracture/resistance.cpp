@@ -24,4 +24,9 @@ double fracture_energy(const Material& material, double strength_fraction) {
   return toughness * toughness * (1 - ratio * ratio) / material.young_modulus;
 }
 
+double characteristic_length(const Material& material) {
+  const double root = material.fracture_toughness / material.tensile_strength;
+  return root * root;
+}
+
 }  // namespace griffith

@@ -21,4 +21,7 @@ double screening_resistance(const Material& material, bool at_crack_front, doubl
 ///   strength_fraction  fraction of the material's K_Ic across the plane of the crack
 double fracture_energy(const Material& material, double strength_fraction = 1);
 
+/// Returns l_ch = (K_Ic/σ_t)² [m]: a crack of about this length halves the strength of a body (Irwin 1957).
+double characteristic_length(const Material& material);
+
 }  // namespace griffith

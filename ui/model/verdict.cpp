@@ -65,6 +65,13 @@ std::string of_crack_front(const NodeSeparation& separation) {
          " that it takes: " + (by_energy ? "energy decides." : "the strength decides.");
 }
 
+/// Explains that a peak smaller than a crack needs does not decide alone; empty where it does.
+std::string of_average(const NodeSeparation& separation) {
+  if (separation.averaging_radius == 0) return "";
+  return " A crack needs tension over a distance: within " + format_quantity(separation.averaging_radius, "m", 3) +
+         " it is " + format_quantity(separation.mean_tension, "Pa", 3) + " on average.";
+}
+
 /// Describes the load on existing material. `whole`: the node has not cracked before.
 std::string under_load(const NodeState& state, const NodeReport& report, const Frame& frame, bool fracture) {
   const Material& material = frame.materials[frame.bodies[report.body].scene_body];
@@ -86,6 +93,7 @@ std::string under_load(const NodeState& state, const NodeReport& report, const F
   }
   std::string text = what + ": the load of " + format_quantity(load_of(separation, material), load_unit(material), 3) +
                      " is " + share + " of the resistance.";
+  text += of_average(separation);
   if (report.at_crack_front) text += " " + of_crack_front(separation);
   if (separation.eigenvalue <= 0 && separation.utilization <= 0)
     text += " There is no tension: the elements compress the node.";

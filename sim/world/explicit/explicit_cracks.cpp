@@ -121,23 +121,30 @@ void ExplicitRun::update_quadratic_states(std::span<const TetId> tets, const Bod
   }
 }
 
-/// Updates the states of all elements around flagged nodes, and the positions by which the nodes are split.
-void ExplicitRun::update_one_rings() {
+/// Takes a tet among those whose states are to be found, and updates its positions.
+void ExplicitRun::take_stale(TetId tet) {
+  const int slot = slot_of_tet_[tet];
+  if (seen_[slot] == microsteps_) return;
+  seen_[slot] = microsteps_;
+  stale_.push_back(tet);
+  for (int i = 0; i < 4; ++i) {
+    const int corner = explicit_bodies_.corner(slot, i);
+    world_.nodes.positions[nodes_[corner]] = explicit_bodies_.position(corner);
+  }
+  if (!world_.tet_edges->is_quadratic(tet)) return;
+  for (const EdgeId edge : world_.tet_edges->of_tet[tet])
+    world_.edges.offsets[edge] = explicit_bodies_.edge_offset(local_of_edge_[edge]);
+}
+
+/// Updates the states of all elements around flagged nodes and in their zones, and the positions by which the nodes are
+/// split.
+void ExplicitRun::update_states_at_flagged() {
   stale_.clear();
-  for (const int index : flagged_)
-    for (const TetId tet : world_.mesh->stars[nodes_[index]]) {
-      const int slot = slot_of_tet_[tet];
-      if (seen_[slot] == microsteps_) continue;
-      seen_[slot] = microsteps_;
-      stale_.push_back(tet);
-      for (int i = 0; i < 4; ++i) {
-        const int corner = explicit_bodies_.corner(slot, i);
-        world_.nodes.positions[nodes_[corner]] = explicit_bodies_.position(corner);
-      }
-      if (!world_.tet_edges->is_quadratic(tet)) continue;
-      for (const EdgeId edge : world_.tet_edges->of_tet[tet])
-        world_.edges.offsets[edge] = explicit_bodies_.edge_offset(local_of_edge_[edge]);
-    }
+  TensionZones zones(world_.mesh, world_.nodes.at_crack_front);
+  for (const int index : flagged_) {
+    for (const TetId tet : world_.mesh->stars[nodes_[index]]) take_stale(tet);
+    for (const TensionZone::Part& part : tension_zone_at(world_, zones, nodes_[index]).parts) take_stale(part.tet);
+  }
   const auto body_of_tet = [&](TetId tet) { return world_.elements.bodies[tet]; };
   std::ranges::sort(stale_, {}, [&](TetId tet) { return std::pair(body_of_tet(tet), tet); });
   std::vector<ElementState>& states = world_.elements.states.edit();
@@ -161,7 +168,7 @@ void ExplicitRun::check_overload() {
   overloaded_.clear();
   std::erase_if(flagged_, [&](int index) { return time_ < world_.nodes.overloads[nodes_[index]].known_from; });
   work_ += kCheckWork * static_cast<double>(flagged_.size());
-  update_one_rings();
+  update_states_at_flagged();
   const SeparationInput input = separation_input(world_);
   std::vector<NodeId> checked;
   for (const int index : flagged_) checked.push_back(nodes_[index]);

@@ -119,7 +119,8 @@ class ExplicitRun {
   void update_threshold(int index);
   void update_linear_states(std::span<const TetId> tets, const Body& body, std::vector<ElementState>& states);
   void update_quadratic_states(std::span<const TetId> tets, const Body& body);
-  void update_one_rings();
+  void take_stale(TetId tet);
+  void update_states_at_flagged();
   void let_sliver_yield(TetId tet, const Mat3& strain);
   Mat3 elastic_strain(TetId tet, const Mat3& strain) const;
   void write_back();

@@ -46,24 +46,47 @@ double energy_release_at(const WorldState& world, NodeId node, const Vec3& norma
          energy_release_rate(world.mesh, node, star, forces, normal);
 }
 
-void take_load(const WorldState& world, NodeId node, const CandidatePlane& plane, const DirectionalStrength& strength,
-               bool averaged, NodeSeparation& separation) {
+/// Utilization below which a node is not worth averaging.
+constexpr double kWorthAveraging = 0.8;
+
+/// Averages the tension across a plane over the zone of a node. Returns it over the strength.
+double average_tension(const WorldState& world, const SeparationInput& input, TensionZones& zones, NodeId node,
+                       double strength, NodeSeparation& separation) {
+  separation.mean_tension = separation.stress;
+  separation.averaging_radius = 0;
+  if (separation.stress <= kWorthAveraging * strength) return separation.stress / strength;
+  const TensionZone zone = tension_zone_at(world, zones, node);
+  if (zone.parts.empty()) return separation.stress / strength;
+  separation.averaging_radius = zone.radius;
+  separation.mean_tension = std::min(separation.stress, mean_tension(input, zone, separation.direction));
+  return separation.mean_tension / strength;
+}
+
+void take_load(const WorldState& world, const SeparationInput& input, TensionZones& zones, NodeId node,
+               const CandidatePlane& plane, const DirectionalStrength& strength, bool averaged,
+               NodeSeparation& separation) {
   const Material& material = world.material_of(body_at(world, node));
   const bool by_stress = material.criterion == FractureCriterion::strength;
   const double fraction = strength.fraction(plane.normal);
   separation.eigenvalue = plane.eigenvalue;
   separation.direction = plane.normal;
   separation.stress = averaged ? 0.5 * (plane.stress + separation.stress) : plane.stress;
-  separation.resistance = fraction * resistance(material, world.nodes.strength_factors[node]);
-  separation.utilization = (by_stress ? separation.stress : separation.eigenvalue) / separation.resistance;
+  const double whole = fraction * resistance(material, world.nodes.strength_factors[node]);
+  separation.resistance = whole;
   separation.energy_release = 0;
-  if (!by_stress || world.nodes.at_crack_front[node] == 0) return;
-  separation.fracture_energy = fracture_energy(material, fraction);
-  separation.energy_release = energy_release_at(world, node, plane.normal);
-  const double by_energy = std::sqrt(separation.energy_release / separation.fracture_energy);
-  if (by_energy <= separation.utilization) return;
-  separation.utilization = by_energy;
-  if (separation.stress > 0) separation.resistance = separation.stress / by_energy;
+  if (!by_stress) {
+    separation.utilization = separation.eigenvalue / whole;
+    return;
+  }
+  separation.utilization = average_tension(world, input, zones, node, whole, separation);
+  if (world.nodes.at_crack_front[node] != 0) {
+    separation.fracture_energy = fracture_energy(material, fraction);
+    separation.energy_release = energy_release_at(world, node, plane.normal);
+    const double by_energy = std::sqrt(separation.energy_release / separation.fracture_energy);
+    separation.utilization = std::max(separation.utilization, by_energy);
+  }
+  if (separation.stress > 0 && separation.utilization > 0 && separation.utilization != separation.stress / whole)
+    separation.resistance = separation.stress / separation.utilization;
 }
 
 /// Judges nodes four side by side. loads_of(four): the loads of up to four of them, of which places to spare repeat the
@@ -71,6 +94,7 @@ void take_load(const WorldState& world, NodeId node, const CandidatePlane& plane
 template <class LoadsOf>
 void evaluate_fours(WorldState& world, const SeparationInput& input, std::span<const NodeId> nodes, bool averaged,
                     const LoadsOf& loads_of) {
+  TensionZones zones(world.mesh, world.nodes.at_crack_front);
   for (std::size_t first = 0; first < nodes.size(); first += 4) {
     const std::span<const NodeId> four = nodes.subspan(first, std::min<std::size_t>(4, nodes.size() - first));
     const std::array<NodeLoad, 4> loads = loads_of(four);
@@ -81,7 +105,7 @@ void evaluate_fours(WorldState& world, const SeparationInput& input, std::span<c
     for (std::size_t i = 0; i < four.size(); ++i) {
       NodeSeparation& separation = world.nodes.separations[four[i]];
       separation.tensor = loads[i].tensor;
-      take_load(world, four[i], planes[i], strengths[i], averaged, separation);
+      take_load(world, input, zones, four[i], planes[i], strengths[i], averaged, separation);
     }
   }
 }
@@ -109,6 +133,10 @@ void evaluate_body(WorldState& world, const SeparationInput& input, const Body& 
 double fracture_energy_at(const WorldState& world, NodeId node, const Vec3& normal) {
   const double fraction = directional_strength_at(world, separation_input(world), node).fraction(normal);
   return fracture_energy(world.material_of(body_at(world, node)), fraction);
+}
+
+TensionZone tension_zone_at(const WorldState& world, TensionZones& zones, NodeId node) {
+  return zones.zone_of(node, characteristic_length(world.material_of(body_at(world, node))));
 }
 
 void evaluate_nodes(WorldState& world, const SeparationInput& input, std::span<const NodeId> nodes, bool averaged) {

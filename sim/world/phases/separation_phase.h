@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/fracture/mean_tension.h"
 #include "sim/fracture/separation_tensor.h"
 #include "sim/world/world_state.h"
 
@@ -18,7 +19,9 @@ double element_size_at(const WorldState& world, NodeId node);
 double screening_resistance_at(const WorldState& world, const Material& material, NodeId node);
 /// Returns the energy that a crack across a plane through a node takes, by the weakness of the body [J/m²].
 double fracture_energy_at(const WorldState& world, NodeId node, const Vec3& normal);
-/// Evaluates nodes under the states of their elements now.
+/// Returns the zone over which the tension at a node counts.
+TensionZone tension_zone_at(const WorldState& world, TensionZones& zones, NodeId node);
+/// Evaluates nodes under the present states of their elements and zones.
 void evaluate_nodes(WorldState& world, const SeparationInput& input, std::span<const NodeId> nodes, bool averaged);
 /// Returns the data of the separation tensors.
 SeparationInput separation_input(const WorldState& world);
