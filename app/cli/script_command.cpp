@@ -39,19 +39,19 @@ class ScriptStage {
         imgui_(1),
         target_(options.width, options.height),
         editor_(scene, options.scene) {
-    editor_.use_macros(macro_folder());
-    editor_.show_thumbnails({this_program(), thumbnail_cache()});
+    editor_.scripting().use_macros(macro_folder());
+    editor_.scenes().show_thumbnails({this_program(), thumbnail_cache()});
     for (int i = 0; i < kFramesToLayOut; ++i) draw();
   }
 
   void play(ScriptPlayer& player) {
     while (!player.done() || !input_.empty() || ui::is_busy(editor_.state())) {
       player.advance(editor_, input_);
-      const auto request = editor_.take_picture_request();
+      const auto request = editor_.files().take_picture_request();
       draw();
-      if (request) editor_.save_window_picture(*request, target_.image(), graphics_);
+      if (request) editor_.files().save_window_picture(*request, target_.image(), editor_.tags(), graphics_);
       if (const auto file = player.take_picture_request()) save_picture(*file, target_.image());
-      if (editor_.take_screenshot_request()) save_picture(free_screenshot_path(), target_.image());
+      if (std::exchange(editor_.requests().screenshot, false)) save_picture(free_screenshot_path(), target_.image());
     }
     if (const auto& error = editor_.state().error) throw InputError(error->where, error->problem, error->remedy);
     require_answers();
@@ -70,7 +70,7 @@ class ScriptStage {
   }
 
   void draw() {
-    editor_.advance(kFrameSeconds);
+    editor_.run().advance(kFrameSeconds);
     editor_.draw_picture(1);
     input_.play(ImGui::GetIO());
     imgui_.begin_frame(target_.width(), target_.height());

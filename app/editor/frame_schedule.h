@@ -7,6 +7,9 @@ namespace griffith::app {
 /// Waiting times of a window that draws on demand [s]. At once: something moves.
 inline constexpr double kDrawAtOnce = 0, kDrawNever = std::numeric_limits<double>::infinity();
 
+/// Delay before the window shows that work is in progress [s].
+inline constexpr double kBusyIndicatorDelay = 0.3;
+
 /// Returns the time that a window may wait for events before it draws. After any event it draws some frames, since
 /// menus, dialogs and items under the mouse need a few to find their place.
 class FrameSchedule {

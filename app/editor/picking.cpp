@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
+#include "app/editor/messages.h"
 #include "sim/geometry/triangle_hit.h"
 #include "sim/mesh/tet_mesh.h"
+#include "sim/world/node_report.h"
+#include "ui/model/verdict.h"
 
 namespace griffith::app {
 
@@ -21,6 +25,23 @@ NodeId nearest_corner(const ShownMesh& shown, TetId tet, const render::Ray& ray)
     return (arm - entry.value_or(arm.dot(direction)) * direction).norm();
   };
   return *std::ranges::min_element(shown.frame.elements.tets[tet], {}, distance);
+}
+
+void select(ui::EditorState& state, const Frame& frame, const ui::Selection& selection) {
+  state.selection = selection;
+  if (selection.valid()) state.selected_body = frame.bodies[frame.elements.bodies[selection.tet]].scene_body;
+}
+
+void select_node(ui::EditorState& state, const Frame& frame, NodeId node) {
+  if (!node.valid() || static_cast<std::size_t>(node) >= frame.nodes.positions.size()) return;
+  select(state, frame, ui::select(frame, frame.nodes.stars[node].front(), node));
+}
+
+void select_most_loaded(ui::EditorState& state, const Frame& frame) {
+  const NodeId node = most_loaded_node(frame);
+  if (node.valid()) return select_node(state, frame, node);
+  log_message(state, ui::LogLevel::warning, std::string("No node carries a load: ") + ui::kNothingStrained,
+              ui::LogSpan::state);
 }
 
 }  // namespace griffith::app

@@ -53,7 +53,7 @@ void ScriptPlayer::advance(Editor& editor, ui::InputQueue& input) {
   const ScriptLine line = script_[next_++];
   frames_left_ = kFramesToSettle;
   play(line, editor, input);
-  if (const std::optional<Script> called = editor.take_script_request()) insert(*called, line.place);
+  if (const std::optional<Script> called = editor.scripting().take_request()) insert(*called, line.place);
 }
 
 void ScriptPlayer::insert(const Script& called, const std::string& place) {
@@ -82,13 +82,13 @@ void ScriptPlayer::play(const ScriptLine& line, Editor& editor, ui::InputQueue& 
     case Verb::command:
       return carry_out(line, editor);
     case Verb::set:
-      return editor.set_values(line.settings, line.place);
+      return set_values(editor.document().history(), editor.state(), line.settings, line.place);
     case Verb::projectile:
-      return editor.set_shot(line.settings, line.place);
+      return set_shot(editor.state(), line.settings, line.place);
     case Verb::choose:
-      return editor.choose(line.names, line.place);
+      return app::choose(editor.state(), editor.document().scene(), line.names, line.place);
     case Verb::look:
-      return editor.look_from(line.eye, line.target);
+      return editor.viewport().look_from(line.eye, line.target);
     case Verb::click:
       return ui::click(input, place_on(line, editor), line.button);
     case Verb::drag:
@@ -102,7 +102,7 @@ void ScriptPlayer::play(const ScriptLine& line, Editor& editor, ui::InputQueue& 
     case Verb::key:
       return ui::press(input, line.key);
     case Verb::step:
-      for (int i = 0; i < line.count; ++i) editor.step();
+      for (int i = 0; i < line.count; ++i) editor.run().step();
       return;
     case Verb::wait:
       frames_left_ = line.count;

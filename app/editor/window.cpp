@@ -17,6 +17,7 @@
 #include "app/editor/editor.h"
 #include "app/editor/frame_schedule.h"
 #include "app/editor/imgui_context_owner.h"
+#include "app/editor/messages.h"
 #include "app/editor/preferences_file.h"
 #include "app/editor/script_player.h"
 #include "app/editor/starting_scene.h"
@@ -189,22 +190,22 @@ void draw_frame(Editor& editor, ImGuiContextOwner& imgui, const Window& window, 
 void save_window(const std::filesystem::path& path, Editor& editor, const Window& window) {
   try {
     save_picture(path, window_image(window));
-    editor.log(ui::LogLevel::info, "Saved " + path.string());
+    log_message(editor.state(), ui::LogLevel::info, "Saved " + path.string());
   } catch (const InputError& error) {
-    editor.log(ui::LogLevel::error, error.what());
+    log_message(editor.state(), ui::LogLevel::error, error.what());
   }
 }
 
 /// Continues the script being played, or begins the requested tour or macro. An error in a line ends it.
 void play_script(std::optional<ScriptPlayer>& player, Editor& editor, WindowInput& input) {
-  if (std::optional<Script> script = player ? std::nullopt : editor.take_script_request())
+  if (std::optional<Script> script = player ? std::nullopt : editor.scripting().take_request())
     player.emplace(std::move(*script), true);
   if (!player) return;
   try {
     player->advance(editor, input.queue());
   } catch (const InputError& error) {
     editor.state().caption.reset();
-    editor.show_error(error);
+    show_error(editor.state(), error);
     player.reset();
   }
 }
@@ -214,7 +215,7 @@ ui::Preferences read_preferences(PreferencesFile& file, Editor& editor) {
   try {
     return file.read();
   } catch (const InputError& error) {
-    editor.show_error(error);
+    show_error(editor.state(), error);
     return {};
   }
 }
@@ -228,14 +229,14 @@ void follow_preferences(PreferencesFile& file, Editor& editor, ImGuiContextOwner
   try {
     file.keep(state.preferences);
   } catch (const InputError& error) {
-    editor.log(ui::LogLevel::warning, error.what());
+    log_message(editor.state(), ui::LogLevel::warning, error.what());
   }
 }
 
 /// Runs the simulation for users without a scene of their own, so that projectiles move.
 void begin_first_run(Editor& editor) {
   editor.execute({.id = ui::CommandId::toggle_run});
-  editor.log(ui::LogLevel::info, "Right-click the wall to fire at it. See Help > Tour.");
+  log_message(editor.state(), ui::LogLevel::info, "Right-click the wall to fire at it. See Help > Tour.");
 }
 
 /// Waits a limited time until there is something to draw. True if there is.
@@ -261,7 +262,7 @@ double seconds_to_next_frame(const Editor& editor, WindowInput& input, bool play
 
 void autosave(Editor& editor, FrameSchedule& schedule, double now) {
   const std::size_t said = editor.state().log.size();
-  editor.autosave(now);
+  editor.recovery().copy(now);
   if (editor.state().log.size() != said) schedule.wake();
 }
 
@@ -277,7 +278,7 @@ void loop(Editor& editor, ImGuiContextOwner& imgui, const Window& window, Window
   FrameSchedule schedule;
   std::string title;
   double last = glfwGetTime();
-  for (int drawn = 0; !editor.wants_to_quit();) {
+  for (int drawn = 0; !editor.requests().quit;) {
     const bool waits_for_reader = editor.state().caption && editor.state().caption->answer == ui::Caption::Answer::none;
     const bool plays = exit_after > 0 || (player && !waits_for_reader);
     const bool draws = wait_for_frame(schedule, seconds_to_next_frame(editor, input, plays));
@@ -288,19 +289,20 @@ void loop(Editor& editor, ImGuiContextOwner& imgui, const Window& window, Window
     const double now = glfwGetTime();
     autosave(editor, schedule, now);
     if (!draws) continue;
-    editor.advance(now - last);
+    editor.run().advance(now - last);
     last = now;
     play_script(player, editor, input);
     follow_preferences(preferences, editor, imgui, window);
-    const auto request = editor.take_picture_request();  // its dialog is gone from the next drawn frame
+    const auto request = editor.files().take_picture_request();  // its dialog is gone from the next drawn frame
     draw_frame(editor, imgui, window, input);
-    if (request) editor.save_window_picture(*request, window_image(window), graphics_of_window());
-    if (editor.take_screenshot_request()) save_window(free_screenshot_path(), editor, window);
+    if (request)
+      editor.files().save_window_picture(*request, window_image(window), editor.tags(), graphics_of_window());
+    if (std::exchange(editor.requests().screenshot, false)) save_window(free_screenshot_path(), editor, window);
     if (const auto file = player ? player->take_picture_request() : std::nullopt) save_window(*file, editor, window);
     if (player && player->done()) player.reset();
     schedule.drew();
     if (++drawn == exit_after) return;
-    show_title(window, title, editor.title());
+    show_title(window, title, editor.document().title());
     glfwSwapBuffers(window.handle());
   }
 }
@@ -321,9 +323,9 @@ void run_editor(const EditorOptions& options) {
   ImGuiContextOwner imgui(window.scale());
   WindowInput input(window, editor);
   editor.enable_autosave(state_folder());
-  editor.show_thumbnails({this_program(), thumbnail_cache()});
-  editor.use_macros(macro_folder());
-  editor.step_in_background();
+  editor.scenes().show_thumbnails({this_program(), thumbnail_cache()});
+  editor.scripting().use_macros(macro_folder());
+  editor.run().step_in_background();
   if (!named) begin_first_run(editor);
   loop(editor, imgui, window, input, std::move(player), preferences, options.exit_after);
   if (!options.screenshot.empty()) save_picture(options.screenshot, window_image(window));

@@ -10,6 +10,22 @@
 
 namespace griffith::app {
 
+namespace {
+
+BuiltWorld with_display(Scene scene, World world, std::filesystem::file_time_type started, const Monitor& monitor) {
+  EmbeddedDisplay display = embedded_display(world.frame(), scene, monitor);
+  std::vector<InputError> warnings = scene_warnings(scene, world);
+  return {std::move(scene), std::move(world), std::move(display), std::move(warnings), started};
+}
+
+}  // namespace
+
+BuiltWorld build_world(Scene scene, const std::filesystem::path& path) {
+  const auto started = std::filesystem::file_time_type::clock::now();
+  World world = make_world(scene, path);
+  return with_display(std::move(scene), std::move(world), started, {});
+}
+
 WorldLoader::Loaded WorldLoader::build(const Order& order, const std::shared_ptr<Shared>& shared) {
   const auto started = std::filesystem::file_time_type::clock::now();
   Monitor monitor;
@@ -24,10 +40,7 @@ WorldLoader::Loaded WorldLoader::build(const Order& order, const std::shared_ptr
   Scene scene = order.make_scene(monitor);
   if (const double tets = expected_tets(scene, monitor); tets > order.max_tets) throw LargeMesh(tets);
   World world = make_world(scene, order.path, monitor);
-  EmbeddedDisplay display = embedded_display(world.frame(), scene, monitor);
-  std::vector<InputError> warnings = scene_warnings(scene, world);
-  return {order.reason,       std::move(scene),    order.path, std::move(world),
-          std::move(display), std::move(warnings), started};
+  return {with_display(std::move(scene), std::move(world), started, monitor), order.reason, order.path};
 }
 
 void WorldLoader::start(LoadReason reason, Scene scene, std::filesystem::path path, double max_tets) {

@@ -24,17 +24,23 @@ struct LargeMesh : std::exception {
   double tets;
 };
 
+/// A world with the data that the editor shows with it.
+struct BuiltWorld {
+  Scene scene;
+  World world;
+  EmbeddedDisplay display;
+  std::vector<InputError> warnings;         ///< from scene_warnings()
+  std::filesystem::file_time_type started;  ///< time before any file was read
+};
+/// Builds the world of a scene from the file `path`, with progress on the terminal. Throws InputError.
+BuiltWorld build_world(Scene scene, const std::filesystem::path& path);
+
 /// Builds worlds on a thread of its own, one at a time, so that the window stays responsive while a surface is meshed.
 class WorldLoader {
  public:
-  struct Loaded {
+  struct Loaded : BuiltWorld {
     LoadReason reason = LoadReason::open;
-    Scene scene;
     std::filesystem::path path;
-    World world;
-    EmbeddedDisplay display;
-    std::vector<InputError> warnings;         ///< from scene_warnings()
-    std::filesystem::file_time_type started;  ///< time before any file was read
   };
 
   /// Cancels the build and waits for its threads.

@@ -23,26 +23,26 @@ class EditorPainter : public Painter {
     editor_.state().open_sections = job.open_sections;
     const ViewSettings own = editor_.state().view;
     for (const std::string& camera : job.cameras) {
-      editor_.use_camera(camera);
+      editor_.viewport().use_camera(scene, camera);
       for (const std::string& view : job.views) {
         editor_.state().view = own;
-        editor_.use_view(view);
+        editor_.viewport().use_view(view, world().frame());
         views_[{camera, view}] = editor_.state().view;
       }
     }
-    if (job.cameras.size() > 1) editor_.use_camera(job.cameras.front());
+    if (job.cameras.size() > 1) editor_.viewport().use_camera(scene, job.cameras.front());
   }
 
-  void step() override { editor_.step(); }
-  const World& world() const override { return editor_.timeline().world(); }
+  void step() override { editor_.run().step(); }
+  const World& world() const override { return editor_.run().world(); }
 
   RenderedPicture paint(const std::string& camera, const std::string& view) override {
-    if (job_.cameras.size() > 1) editor_.use_camera(camera);
+    if (job_.cameras.size() > 1) editor_.viewport().use_camera(editor_.document().scene(), camera);
     if (!painted_ || views_.size() > 1) editor_.state().view = views_.at({camera, view});
     painted_ = true;
     for (const std::string& command : std::exchange(job_.commands, {}))
       editor_.execute({.id = ui::find_command(command)->id});
-    if (job_.node) editor_.state().selection = selected_node(job_, editor_.frame());
+    if (job_.node) editor_.state().selection = selected_node(job_, world().frame());
     RenderedPicture picture;
     picture.image = image();
     picture.record = world_record(world());

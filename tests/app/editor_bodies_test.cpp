@@ -30,7 +30,7 @@ class BodiesTest : public EditorTest {
     draw(2);
     wait_for_work();
   }
-  std::size_t bodies() const { return editor_.frame().bodies.size(); }
+  std::size_t bodies() const { return editor_.run().frame().bodies.size(); }
   std::string file(const char* name) const { return (test_folder() / name).string(); }
   std::string text_of(const std::string& path) const {
     std::ifstream stream(path, std::ios::binary);
@@ -46,17 +46,17 @@ TEST_F(BodiesTest, ANewSceneIsEmptyAndAsksBeforeItLosesEdits) {
   editor_.state().unsaved.reset();
   begin();
   EXPECT_EQ(bodies(), 0u);
-  editor_.step();
-  EXPECT_EQ(editor_.frame().step, 1) << "nothing is simulated, too";
+  editor_.run().step();
+  EXPECT_EQ(editor_.run().frame().step, 1) << "nothing is simulated, too";
 }
 
 TEST_F(BodiesTest, BodiesAreAddedBesideEachOtherOnTheGround) {
   begin();
   double right = -1e9;
   for (const CommandId id : kAdded) {
-    const std::size_t first = editor_.frame().nodes.positions.size();
+    const std::size_t first = editor_.run().frame().nodes.positions.size();
     add(id);
-    const auto positions = editor_.frame().nodes.positions.subspan(first);
+    const auto positions = editor_.run().frame().nodes.positions.subspan(first);
     ASSERT_GT(positions.size(), 0u) << ui::command_info(id).name;
     double low = 1e9, left = 1e9, end = -1e9;
     for (const Vec3& position : positions) {
@@ -69,9 +69,9 @@ TEST_F(BodiesTest, BodiesAreAddedBesideEachOtherOnTheGround) {
     right = end;
   }
   EXPECT_EQ(bodies(), 6u);
-  for (int i = 0; i < 30; ++i) editor_.step();
-  EXPECT_EQ(editor_.frame().crack_events.size(), 0u) << "what stands there stays whole";
-  EXPECT_EQ(editor_.frame().bodies.size(), 6u);
+  for (int i = 0; i < 30; ++i) editor_.run().step();
+  EXPECT_EQ(editor_.run().frame().crack_events.size(), 0u) << "what stands there stays whole";
+  EXPECT_EQ(editor_.run().frame().bodies.size(), 6u);
 }
 
 TEST_F(BodiesTest, ACopyHasANameOfItsOwnAndDeletingTakesItOut) {
@@ -100,7 +100,7 @@ TEST_F(BodiesTest, ASceneMadeFromNothingIsSavedAndReadToTheSameBytes) {
   for (const CommandId id : kAdded) add(id);
   editor_.execute({.id = CommandId::save, .path = file("a.json"), .replace = true});
   ASSERT_TRUE(check_scene(file("a.json")).empty());
-  editor_.open(file("a.json"));
+  editor_.builder().open(file("a.json"));
   settle();
   ASSERT_EQ(bodies(), 6u);
   editor_.execute({.id = CommandId::save, .path = file("b.json"), .replace = true});
@@ -116,24 +116,24 @@ TEST_F(BodiesTest, ASceneMadeFromNothingIsSavedAndReadToTheSameBytes) {
 }
 
 TEST_F(BodiesTest, AShotCanBecomePartOfTheSceneAndHitsAgain) {
-  editor_.step();
-  editor_.step();
-  const std::size_t shots = editor_.frame().projectiles.size();
+  editor_.run().step();
+  editor_.run().step();
+  const std::size_t shots = editor_.run().frame().projectiles.size();
   click("projectile/preset");
   click("projectile/preset/steel ball");
   EXPECT_EQ(editor_.state().shot.mass, 0.263);
   editor_.execute({.id = CommandId::fire});
-  editor_.step();
-  ASSERT_EQ(editor_.frame().projectiles.size(), shots + 1);
-  const Vec3 place = editor_.frame().projectiles.back().position;
+  editor_.run().step();
+  ASSERT_EQ(editor_.run().frame().projectiles.size(), shots + 1);
+  const Vec3 place = editor_.run().frame().projectiles.back().position;
   draw();
   click("projectile/keep");
   settle();
-  EXPECT_EQ(editor_.frame().step, 0) << "the scene starts again";
-  for (int i = 0; i < 3; ++i) editor_.step();
-  ASSERT_EQ(editor_.frame().projectiles.size(), shots + 1);
+  EXPECT_EQ(editor_.run().frame().step, 0) << "the scene starts again";
+  for (int i = 0; i < 3; ++i) editor_.run().step();
+  ASSERT_EQ(editor_.run().frame().projectiles.size(), shots + 1);
   double nearest = 1e9;
-  for (const ProjectileView& projectile : editor_.frame().projectiles)
+  for (const ProjectileView& projectile : editor_.run().frame().projectiles)
     nearest = std::min(nearest, (projectile.position - place).norm());
   EXPECT_LT(nearest, 1e-6) << "as it flew before";
 }
@@ -141,27 +141,27 @@ TEST_F(BodiesTest, AShotCanBecomePartOfTheSceneAndHitsAgain) {
 TEST_F(BodiesTest, SupportsLoadsProbesAndShotsAreAddedDuplicatedAndDeleted) {
   begin();
   add(CommandId::add_box);
-  const std::string before = scene_to_json(editor_.scene());
+  const std::string before = scene_to_json(editor_.document().scene());
   for (const CommandId id :
        {CommandId::add_support, CommandId::add_load, CommandId::add_probe, CommandId::add_projectile}) {
     add(id);
     EXPECT_FALSE(editor_.state().error) << ui::command_info(id).name;
   }
-  const auto held = std::ranges::count(editor_.frame().nodes.has_support, 1);
+  const auto held = std::ranges::count(editor_.run().frame().nodes.has_support, 1);
   EXPECT_EQ(held, 25) << "all nodes of the lower face, and no others";
-  EXPECT_EQ(editor_.frame().probes.size(), 1u);
-  EXPECT_FALSE(editor_.frame().nodes.load_forces.empty());
+  EXPECT_EQ(editor_.run().frame().probes.size(), 1u);
+  EXPECT_FALSE(editor_.run().frame().nodes.load_forces.empty());
   click("probes/0");
   press_key('D', true);
   settle();
-  EXPECT_EQ(editor_.frame().probes.size(), 2u);
+  EXPECT_EQ(editor_.run().frame().probes.size(), 2u);
   for (const char* tag : {"projectiles/0", "probes/0", "bodies/0/loads/0", "bodies/0/supports/0"}) {
     click(tag);
     press_key(ui::key::kDelete);
     press_key(ui::key::kDelete);  // the next of the kind, and never another kind
     settle();
   }
-  EXPECT_EQ(scene_to_json(editor_.scene()), before);
+  EXPECT_EQ(scene_to_json(editor_.document().scene()), before);
   EXPECT_EQ(bodies(), 1u);
 }
 
@@ -179,9 +179,9 @@ TEST_F(BodiesTest, AHiddenBodyIsNotDrawnButSimulated) {
   click("bodies/0/eye");
   EXPECT_EQ(hits_across(), 0);
   EXPECT_EQ(bodies(), 2u);
-  const double height = editor_.frame().bodies[1].center_of_mass.y();
-  for (int i = 0; i < 5; ++i) editor_.step();
-  EXPECT_NE(editor_.frame().bodies[1].center_of_mass.y(), height);
+  const double height = editor_.run().frame().bodies[1].center_of_mass.y();
+  for (int i = 0; i < 5; ++i) editor_.run().step();
+  EXPECT_NE(editor_.run().frame().bodies[1].center_of_mass.y(), height);
   click("bodies/0/eye");
   click("bodies/1/eye");
   EXPECT_EQ(hits_across(), both);
@@ -204,7 +204,7 @@ Scene large_blocks() {
 TEST_F(BodiesTest, WhatKeysAskForWhileTheWorldIsBuiltIsDoneAfterIt) {
   std::filesystem::create_directories(test_folder());
   write_scene(large_blocks(), file("blocks.json"));
-  editor_.open(file("blocks.json"));
+  editor_.builder().open(file("blocks.json"));
   settle();
   ASSERT_EQ(bodies(), 3u);
   click("bodies/0");
@@ -217,7 +217,7 @@ TEST_F(BodiesTest, WhatKeysAskForWhileTheWorldIsBuiltIsDoneAfterIt) {
   ASSERT_NE(editor_.state().work, "") << "it takes long";
   EXPECT_EQ(value("work/waiting"), "Then: Delete");
   settle();
-  EXPECT_EQ(editor_.scene().bodies.size(), 1u) << "no press is lost";
+  EXPECT_EQ(editor_.document().scene().bodies.size(), 1u) << "no press is lost";
   EXPECT_EQ(bodies(), 1u);
   EXPECT_EQ(value("bodies/0"), "block 3");
 }
@@ -225,7 +225,7 @@ TEST_F(BodiesTest, WhatKeysAskForWhileTheWorldIsBuiltIsDoneAfterIt) {
 TEST_F(BodiesTest, WhatWaitedForWorkThatIsCancelledIsReportedAndNotDone) {
   std::filesystem::create_directories(test_folder());
   write_scene(large_blocks(), file("blocks.json"));
-  editor_.open(file("blocks.json"));
+  editor_.builder().open(file("blocks.json"));
   settle();
   click("bodies/0");
   press_key('D', true);
@@ -235,7 +235,7 @@ TEST_F(BodiesTest, WhatWaitedForWorkThatIsCancelledIsReportedAndNotDone) {
   click("work/cancel");
   draw(2);
   EXPECT_TRUE(editor_.state().waiting.empty());
-  EXPECT_EQ(editor_.scene().bodies.size(), 3u) << "the copy was taken back, and nothing else is gone";
+  EXPECT_EQ(editor_.document().scene().bodies.size(), 3u) << "the copy was taken back, and nothing else is gone";
   EXPECT_THAT(editor_.state().log.back().text, ::testing::HasSubstr("Delete was skipped"));
 }
 
@@ -243,22 +243,23 @@ TEST_F(BodiesTest, EntriesAreReorderedAndUndoneToTheSameBytes) {
   begin();
   add(CommandId::add_box);
   add(CommandId::add_plate);
-  const std::string before = scene_to_json(editor_.scene());
-  const std::uint64_t hash = editor_.timeline().world().state_hash();
+  const std::string before = scene_to_json(editor_.document().scene());
+  const std::uint64_t hash = editor_.run().timeline().world().state_hash();
   click("bodies/1");
   press_key(ui::key::kUp, true);
   settle();
   EXPECT_EQ(value("bodies/0"), "plate");
-  EXPECT_EQ(editor_.frame().materials[0].young_modulus, editor_.scene().bodies[0].material.young_modulus);
-  const std::string after = scene_to_json(editor_.scene());
+  EXPECT_EQ(editor_.run().frame().materials[0].young_modulus,
+            editor_.document().scene().bodies[0].material.young_modulus);
+  const std::string after = scene_to_json(editor_.document().scene());
   EXPECT_NE(after, before);
   press_key('Z', true);
   settle();
-  EXPECT_EQ(scene_to_json(editor_.scene()), before);
-  EXPECT_EQ(editor_.timeline().world().state_hash(), hash);
+  EXPECT_EQ(scene_to_json(editor_.document().scene()), before);
+  EXPECT_EQ(editor_.run().timeline().world().state_hash(), hash);
   press_key('Z', true, true);
   settle();
-  EXPECT_EQ(scene_to_json(editor_.scene()), after);
+  EXPECT_EQ(scene_to_json(editor_.document().scene()), after);
   EXPECT_FALSE(editor_.state().error);
 }
 

@@ -56,7 +56,7 @@ TEST(Divergence, TheLargestGapIsThatOfTheNodeWhichIsFarthestOff) {
 class ComparisonTest : public EditorTest {
  protected:
   void run(int steps) {
-    for (int i = 0; i < steps; ++i) editor_.step();
+    for (int i = 0; i < steps; ++i) editor_.run().step();
     draw(2);
   }
   /// A second branch, with a shot in step 3 of ten.
@@ -77,14 +77,14 @@ TEST_F(ComparisonTest, NeedsAnotherBranch) {
 
 TEST_F(ComparisonTest, TheOtherBranchFollowsTheShownStep) {
   fork();
-  const std::uint64_t hash = editor_.timeline().world().state_hash();
+  const std::uint64_t hash = editor_.run().timeline().world().state_hash();
   press_key('B');
   draw(2);
   ASSERT_TRUE(editor_.state().comparison.branch);
   EXPECT_EQ(*editor_.state().comparison.branch, 0);
   EXPECT_THAT(value("compare/difference"), HasSubstr("Branch 0 differs from step 4"));
   EXPECT_THAT(value("compare/difference"), HasSubstr("apart"));
-  EXPECT_EQ(editor_.timeline().world().state_hash(), hash) << "what is shown is not touched by it";
+  EXPECT_EQ(editor_.run().timeline().world().state_hash(), hash) << "what is shown is not touched by it";
   editor_.execute({.id = CommandId::go_to_step, .step = 2});
   draw(2);
   EXPECT_THAT(value("compare/difference"), HasSubstr("Now all nodes are in the same places"));
@@ -105,7 +105,7 @@ TEST_F(ComparisonTest, GoingToTheComparedBranchLetsTheTwoChangePlaces) {
   press_key(ui::key::kEscape);
   editor_.execute({.id = CommandId::go_to_branch, .step = 8, .branch = 0});
   draw(2);
-  EXPECT_EQ(editor_.timeline().branch(), 0);
+  EXPECT_EQ(editor_.run().timeline().branch(), 0);
   EXPECT_EQ(editor_.state().comparison.branch, 1);
   EXPECT_THAT(value("compare/difference"), HasSubstr("Branch 1 differs from step 4"));
 }
@@ -121,7 +121,7 @@ TEST_F(ComparisonTest, ABranchThatBeginsMeanwhileIsComparedAgain) {
   editor_.execute({.id = CommandId::go_to_step, .step = 2});
   editor_.execute({.id = CommandId::fire});
   run(3);
-  ASSERT_EQ(editor_.timeline().branch(), 2);
+  ASSERT_EQ(editor_.run().timeline().branch(), 2);
   EXPECT_THAT(value("compare/difference"), HasSubstr("Branch 0 differs from step 3"));
 }
 
@@ -142,7 +142,7 @@ TEST_F(ComparisonTest, AnotherSceneEndsIt) {
   fork();
   press_key('B');
   draw(2);
-  editor_.open(small_wall_file());
+  editor_.builder().open(small_wall_file());
   wait_for_work();
   EXPECT_FALSE(editor_.state().comparison.branch);
 }

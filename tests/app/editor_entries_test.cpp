@@ -27,10 +27,10 @@ class EditorEntries : public EditorTest {
   }
   /// Selects an entry even if the list does not show it.
   void choose(const ui::SceneEntry& entry) {
-    ui::select_entries(editor_.state(), editor_.scene(), {entry});
+    ui::select_entries(editor_.state(), editor_.document().scene(), {entry});
     draw(2);
   }
-  std::string text() const { return scene_to_json(editor_.scene()); }
+  std::string text() const { return scene_to_json(editor_.document().scene()); }
 };
 
 TEST_F(EditorEntries, EachEditIsOneEntryOfTheHistoryAndComesBackToTheSameBytes) {
@@ -49,10 +49,14 @@ TEST_F(EditorEntries, EachEditIsOneEntryOfTheHistoryAndComesBackToTheSameBytes) 
          choose({ui::EntryKind::projectile, 0}), drag("gizmo/turn_y", 40, 5);
        }},
       {"add a camera", [&] { execute(CommandId::add_camera); }},
-      {"set it", [&] { editor_.use_camera("side"), draw(), execute(CommandId::set_camera); }},
+      {"set it",
+       [&] {
+         editor_.viewport().use_camera(editor_.document().scene(), "side"), draw(), execute(CommandId::set_camera);
+       }},
       {"turn a body",
        [&] {
-         editor_.use_camera("front"), choose({ui::EntryKind::body, 0}), drag("gizmo/turn_y", 40, 5);
+         editor_.viewport().use_camera(editor_.document().scene(), "front"), choose({ui::EntryKind::body, 0}),
+             drag("gizmo/turn_y", 40, 5);
        }},
       {"delete a support",
        [&] {
@@ -81,14 +85,14 @@ TEST_F(EditorEntries, EachEditIsOneEntryOfTheHistoryAndComesBackToTheSameBytes) 
 }
 
 TEST_F(EditorEntries, ACameraFromTheViewShowsWhatTheViewShowed) {
-  for (int i = 0; i < 3; ++i) editor_.step();
+  for (int i = 0; i < 3; ++i) editor_.run().step();
   drag("viewport", 60, 35);
   execute(CommandId::add_camera);
-  const Camera wanted = editor_.scene().cameras.back();
+  const Camera wanted = editor_.document().scene().cameras.back();
   drag("viewport", -90, 10);
   const auto shown = [&] {
     execute(CommandId::add_camera);
-    Camera camera = editor_.scene().cameras.back();
+    Camera camera = editor_.document().scene().cameras.back();
     execute(CommandId::undo);
     camera.name = wanted.name;
     return camera;
@@ -98,12 +102,12 @@ TEST_F(EditorEntries, ACameraFromTheViewShowsWhatTheViewShowed) {
   EXPECT_EQ(shown().position, Vec3(2, 2, 5)) << "in as few digits as it had";
   click("cameras/2/look");
   EXPECT_EQ(shown(), wanted) << "to the bit";
-  EXPECT_EQ(editor_.frame().step, 3) << "cameras are none of the simulation's business";
+  EXPECT_EQ(editor_.run().frame().step, 3) << "cameras are none of the simulation's business";
 }
 
 TEST_F(EditorEntries, ARegionThatIsDraggedHoldsTheNodesInIt) {
   execute(CommandId::add_support);
-  const auto held = [&] { return std::ranges::count(editor_.frame().nodes.has_support, 1); };
+  const auto held = [&] { return std::ranges::count(editor_.run().frame().nodes.has_support, 1); };
   const auto at_the_foot = held();
   ASSERT_GT(at_the_foot, 0);
   drag("region/3", 0, -600);

@@ -20,7 +20,7 @@ class ExportTest : public EditorTest {
   ExportTest() { fs::remove_all(test_folder()), fs::create_directories(test_folder()); }
 
   void run(int steps) {
-    for (int i = 0; i < steps; ++i) editor_.step();
+    for (int i = 0; i < steps; ++i) editor_.run().step();
     draw();
   }
   void write(const fs::path& file) { editor_.execute({.id = CommandId::export_run, .path = file}); }
@@ -34,7 +34,7 @@ class ExportTest : public EditorTest {
 TEST_F(ExportTest, TheDialogProposesAFileForOtherPrograms) {
   EXPECT_FALSE(editor_.disabled_reason(CommandId::export_dialog).empty()) << "there is no past yet";
   run(5);
-  const std::uint64_t hash = editor_.timeline().world().state_hash();
+  const std::uint64_t hash = editor_.run().timeline().world().state_hash();
   press_key('E', true);
   draw(3);
   EXPECT_THAT(value("save/path"), HasSubstr("small wall.glb"));
@@ -47,7 +47,7 @@ TEST_F(ExportTest, TheDialogProposesAFileForOtherPrograms) {
   wait_for_work();
   EXPECT_EQ(beginning(file.string() + ".glb", 4), "glTF");
   EXPECT_THAT(editor_.state().log.back().text, HasSubstr("run.glb: 6 frames"));
-  EXPECT_EQ(editor_.timeline().world().state_hash(), hash) << "what is shown stays";
+  EXPECT_EQ(editor_.run().timeline().world().state_hash(), hash) << "what is shown stays";
 }
 
 TEST_F(ExportTest, PicturesAreNumberedByTheirSteps) {

@@ -26,7 +26,7 @@ class EditorFiles : public EditorTest {
 
   static fs::path states() { return test_folder() / "states"; }
 
-  bool modified() const { return editor_.title().find('*') != std::string::npos; }
+  bool modified() const { return editor_.document().title().find('*') != std::string::npos; }
 
   /// Leaves a copy of edits as a program would that was killed.
   static void leave_edits(const Scene& scene, const fs::path& file) { Autosave(states()).write(scene, file); }
@@ -68,17 +68,17 @@ TEST_F(EditorFiles, ValuesFromTheCommandLineAreEditsThatAreNotSaved) {
   Scene changed = saved;
   changed.projectiles[0].speed = 3;
   Editor editor(saved, small_wall_file(), &changed);
-  EXPECT_NE(editor.title().find('*'), std::string::npos) << editor.title();
-  EXPECT_EQ(editor.timeline().world().scene().projectiles[0].speed, 3);
+  EXPECT_NE(editor.document().title().find('*'), std::string::npos) << editor.document().title();
+  EXPECT_EQ(editor.run().timeline().world().scene().projectiles[0].speed, 3);
   editor.execute({.id = ui::CommandId::quit});
-  EXPECT_FALSE(editor.wants_to_quit()) << "edits would be lost";
+  EXPECT_FALSE(editor.requests().quit) << "edits would be lost";
   editor.execute({.id = ui::CommandId::undo});
-  EXPECT_EQ(editor.title().find('*'), std::string::npos) << editor.title();
+  EXPECT_EQ(editor.document().title().find('*'), std::string::npos) << editor.document().title();
 }
 
 TEST_F(EditorFiles, AnotherFileIsReplacedOnlyOnRequest) {
   const fs::path own = small_wall_file(), other = test_file("other.json", "not to be lost");
-  editor_.open(own);
+  editor_.builder().open(own);
   draw(2);
   choose_material("concrete");
   press_key('S', true, true);
@@ -102,7 +102,7 @@ TEST_F(EditorFiles, AnotherFileIsReplacedOnlyOnRequest) {
 
 TEST_F(EditorFiles, AFileThatAnotherProgramChangedIsNotReplacedUnasked) {
   const fs::path own = small_wall_file();
-  editor_.open(own);
+  editor_.builder().open(own);
   draw(2);
   choose_material("concrete");
   test_file("small_wall.json", "changed meanwhile");
@@ -125,7 +125,7 @@ TEST_F(EditorFiles, EditsOfASceneWithoutAFileCanBeSavedBeforeQuitting) {
   click("unsaved/save");
   draw(4);
   click("save/cancel");
-  EXPECT_FALSE(editor_.wants_to_quit());
+  EXPECT_FALSE(editor_.requests().quit);
   EXPECT_TRUE(modified());
   editor_.execute({.id = ui::CommandId::quit});
   draw(4);
@@ -133,14 +133,14 @@ TEST_F(EditorFiles, EditsOfASceneWithoutAFileCanBeSavedBeforeQuitting) {
   draw(4);
   type((test_folder() / "kept.json").string());
   click("save/save");
-  EXPECT_TRUE(editor_.wants_to_quit());
+  EXPECT_TRUE(editor_.requests().quit);
   EXPECT_EQ(read_scene(test_folder() / "kept.json").bodies[0].material.name, "concrete");
 }
 
 TEST_F(EditorFiles, SavingKeepsTheSchemaAndMaterialsThatNoBodyHas) {
   const fs::path own = test_file("scene.json", R"({"$schema": "scene.schema.json", "version": 1,
       "materials": {"spare": {"density": 7}}, "bodies": [{"shape": {"box": {}}}]})");
-  editor_.open(own);
+  editor_.builder().open(own);
   draw(2);
   choose_material("concrete");
   press_key('S', true);
@@ -151,13 +151,13 @@ TEST_F(EditorFiles, SavingKeepsTheSchemaAndMaterialsThatNoBodyHas) {
 
 TEST_F(EditorFiles, EditsAreCopiedOnceAMinuteUntilTheyAreSaved) {
   const fs::path own = small_wall_file();
-  editor_.open(own);
+  editor_.builder().open(own);
   draw(2);
   editor_.enable_autosave(states());
-  editor_.autosave(0);
+  editor_.recovery().copy(0);
   EXPECT_EQ(copies_in(test_folder()), 0) << "nothing is edited";
   choose_material("concrete");
-  editor_.autosave(1);
+  editor_.recovery().copy(1);
   EXPECT_EQ(copies_in(test_folder()), 1);
   EXPECT_EQ(copies_in(states()), 1) << "by which it is found from anywhere";
   const auto copied_material = [] {
@@ -166,9 +166,9 @@ TEST_F(EditorFiles, EditsAreCopiedOnceAMinuteUntilTheyAreSaved) {
     return std::string();
   };
   choose_material("soda-lime glass");
-  editor_.autosave(60);
+  editor_.recovery().copy(60);
   EXPECT_EQ(copied_material(), "concrete");
-  editor_.autosave(61);
+  editor_.recovery().copy(61);
   EXPECT_EQ(copied_material(), "soda-lime glass");
   EXPECT_NE(read_scene(own).bodies[0].material.name, "soda-lime glass") << "the scene's own file is left alone";
   press_key('S', true);
@@ -178,13 +178,13 @@ TEST_F(EditorFiles, EditsAreCopiedOnceAMinuteUntilTheyAreSaved) {
 TEST_F(EditorFiles, CopiesGoWithEditsThatAreNotWanted) {
   editor_.enable_autosave(states());
   choose_material("concrete");
-  editor_.autosave(1);
+  editor_.recovery().copy(1);
   EXPECT_EQ(copies_in(states()), 1);
   editor_.execute({.id = ui::CommandId::undo});
-  editor_.autosave(2);
+  editor_.recovery().copy(2);
   EXPECT_EQ(copies_in(states()), 0);
   choose_material("soda-lime glass");
-  editor_.autosave(100);
+  editor_.recovery().copy(100);
   EXPECT_EQ(copies_in(states()), 1);
   editor_.execute({.id = ui::CommandId::quit, .discard_edits = true});
   EXPECT_EQ(copies_in(states()), 0);
@@ -203,7 +203,7 @@ TEST_F(EditorFiles, WhatACrashLeftIsRecoveredAndCanBeUndone) {
   click("left_edits/recover");
   wait_for_work();
   EXPECT_FALSE(editor_.state().error);
-  EXPECT_EQ(editor_.frame().materials[0].name, "mine");
+  EXPECT_EQ(editor_.run().frame().materials[0].name, "mine");
   EXPECT_TRUE(modified());
   press_key('S', true);
   draw(4);
@@ -213,7 +213,7 @@ TEST_F(EditorFiles, WhatACrashLeftIsRecoveredAndCanBeUndone) {
   EXPECT_EQ(std::get<SurfaceProjectile>(*read_scene(own).projectiles[0].shape).path, "tet.off");
   EXPECT_EQ(copies_in(test_folder()) + copies_in(states()), 0);
   press_key('Z', true);
-  EXPECT_NE(editor_.frame().materials[0].name, "mine");
+  EXPECT_NE(editor_.run().frame().materials[0].name, "mine");
 }
 
 TEST_F(EditorFiles, WhatACrashLeftCanBeKeptOrDiscarded) {
@@ -238,7 +238,7 @@ TEST_F(EditorFiles, WhatALinkBesideASceneLeadsToIsNoneOfItsEdits) {
   fs::copy_file(own, users / "scene.json");
   fs::create_directory_symlink(users, test_folder() / ".small_wall.json.edits-a1b2c3");
   editor_.enable_autosave(states());
-  editor_.open(own);
+  editor_.builder().open(own);
   wait_for_work();
   EXPECT_TRUE(editor_.state().recoverable_edits.empty());
   editor_.execute({.id = ui::CommandId::discard_copy});
@@ -251,7 +251,7 @@ TEST_F(EditorFiles, OpeningASceneAsksForWhatWasLeftBesideIt) {
   for (const auto& entry : fs::directory_iterator(states())) fs::remove(entry.path());
   editor_.enable_autosave(states());
   EXPECT_TRUE(editor_.state().recoverable_edits.empty());
-  editor_.open(own);
+  editor_.builder().open(own);
   wait_for_work();
   EXPECT_THAT(value("left_edits/text"), HasSubstr("small_wall.json"));
 }
@@ -261,7 +261,7 @@ TEST_F(EditorFiles, OpeningASceneAsksForNoOthers) {
   editor_.enable_autosave(states());
   draw(4);
   click("left_edits/later");
-  editor_.open(small_wall_file());
+  editor_.builder().open(small_wall_file());
   wait_for_work();
   EXPECT_TRUE(editor_.state().recoverable_edits.empty());
 }
@@ -274,7 +274,7 @@ TEST_F(EditorFiles, ASceneOpenedInPlaceOfAnAnswerLeavesWhatACrashLeft) {
   wait_for_work();
   EXPECT_TRUE(editor_.state().recoverable_edits.empty());
   editor_.execute({.id = ui::CommandId::recover});
-  EXPECT_EQ(editor_.frame().materials[0].name, small_wall().bodies[0].material.name);
+  EXPECT_EQ(editor_.run().frame().materials[0].name, small_wall().bodies[0].material.name);
   EXPECT_EQ(copies_in(states()), 1);
 }
 
@@ -282,15 +282,15 @@ TEST_F(EditorFiles, ACopyThatFailedIsTriedAgain) {
   fs::create_directories(test_folder() / "away");
   const fs::path own = test_folder() / "away/wall.json";
   fs::copy_file(small_wall_file(), own);
-  editor_.open(own);
+  editor_.builder().open(own);
   draw(2);
   editor_.enable_autosave(states());
   fs::rename(own.parent_path(), test_folder() / "moved");
   choose_material("concrete");
-  editor_.autosave(1);
+  editor_.recovery().copy(1);
   EXPECT_EQ(copies_in(states()), 0);
   fs::rename(test_folder() / "moved", own.parent_path());
-  editor_.autosave(62);
+  editor_.recovery().copy(62);
   EXPECT_EQ(copies_in(own.parent_path()), 1);
 }
 

@@ -9,6 +9,8 @@
 
 #include "app/editor/editor.h"
 #include "app/editor/imgui_context_owner.h"
+#include "app/editor/messages.h"
+#include "app/editor/picking.h"
 #include "program.h"
 #include "renderer/egl_context.h"
 #include "renderer/target.h"

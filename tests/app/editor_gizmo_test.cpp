@@ -12,7 +12,7 @@ class EditorGizmoTest : public EditorTest {
 
   Eigen::AlignedBox3d box() const {
     Eigen::AlignedBox3d box;
-    for (const Vec3& position : editor_.frame().nodes.positions) box.extend(position);
+    for (const Vec3& position : editor_.run().frame().nodes.positions) box.extend(position);
     return box;
   }
 
@@ -59,7 +59,7 @@ TEST_F(EditorGizmoTest, StandsAtTheBodysOriginInThePicture) {
 }
 
 TEST_F(EditorGizmoTest, WaitsForTheStartOfTime) {
-  editor_.step();
+  editor_.run().step();
   draw(2);
   EXPECT_EQ(ui::find_tag(editor_.tags(), "gizmo/move_y"), nullptr);
   press_key('R');

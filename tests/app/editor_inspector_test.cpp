@@ -38,7 +38,7 @@ TEST_F(ElasticPiecesTest, SelectionIsExplainedAndSurvivesBreakingAndReset) {
   EXPECT_EQ(editor_.state().selection.rest_position, selected.rest_position);
   EXPECT_NE(value("inspector/verdict").find("resistance"), std::string::npos);
   EXPECT_GE(std::stoi(value("inspector/utilization_plot")), 13);
-  const NodeReport report = node_report(editor_.frame(), editor_.state().selection.node);
+  const NodeReport report = node_report(editor_.run().frame(), editor_.state().selection.node);
   EXPECT_EQ(value("inspector/element/0"),
             ui::format_quantity(report.elements.front().contribution, report.by_tension ? "Pa" : "N", 3));
   click("command/simulation.reset");
@@ -55,7 +55,7 @@ TEST_F(EditorTest, KeysSliceTheBodiesAndSelectTheMostLoadedNode) {
   for (int i = 0; i < 6; ++i) click("command/simulation.step");
   press('M');
   ASSERT_TRUE(editor_.state().selection.valid());
-  const auto& separations = editor_.frame().nodes.separations;
+  const auto& separations = editor_.run().frame().nodes.separations;
   for (const NodeSeparation& separation : separations)
     EXPECT_LE(separation.utilization,
               separations[static_cast<std::size_t>(editor_.state().selection.node)].utilization);
@@ -77,15 +77,15 @@ TEST_F(EditorTest, TheInspectorShowsWhatAddsUpAndTheMaterialOfWhatItExplains) {
   scene.bodies.insert(scene.bodies.begin(), other);
   const auto path = test_folder() / "two.json";
   write_scene(scene, path);
-  editor_.open(path);
+  editor_.builder().open(path);
   wait_for_work();
-  for (int i = 0; i < 6; ++i) editor_.step();
+  for (int i = 0; i < 6; ++i) editor_.run().step();
   editor_.state().selected_body = 0;
   press_key('M');
   const NodeId node = editor_.state().selection.node;
   ASSERT_TRUE(node.valid());
-  const NodeReport report = node_report(editor_.frame(), node);
-  EXPECT_EQ(editor_.state().selected_body, editor_.frame().bodies[report.body].scene_body);
+  const NodeReport report = node_report(editor_.run().frame(), node);
+  EXPECT_EQ(editor_.state().selected_body, editor_.run().frame().bodies[report.body].scene_body);
   EXPECT_EQ(editor_.state().selected_body, 1) << "it is the one that was struck";
   EXPECT_EQ(value("value/Total"), ui::format_quantity(report.sum(), report.by_tension ? "Pa" : "N", 3));
   EXPECT_EQ(value("value/Load now"), ui::format_quantity(report.load, "Pa"));
@@ -99,17 +99,17 @@ TEST_F(EditorTest, RigidPiecesAreSaidToKeepTheStressThatThePictureShows) {
   scene.ground = Ground();
   const auto path = test_folder() / "lying.json";
   write_scene(scene, path);
-  editor_.open(path);
+  editor_.builder().open(path);
   wait_for_work();
-  for (int i = 0; i < 60; ++i) editor_.step();
-  ASSERT_TRUE(editor_.frame().bodies[0].rigid);
+  for (int i = 0; i < 60; ++i) editor_.run().step();
+  ASSERT_TRUE(editor_.run().frame().bodies[0].rigid);
   press_key('M');
   EXPECT_FALSE(editor_.state().selection.valid());
   EXPECT_THAT(value("status/message"), ::testing::HasSubstr("rigid"));
   EXPECT_THAT(value("status/message"), ::testing::Not(::testing::HasSubstr("without stress")));
   click("viewport");
   ASSERT_TRUE(editor_.state().selection.valid());
-  const double stress = von_mises_stress(editor_.frame().elements.stresses[editor_.state().selection.tet]);
+  const double stress = von_mises_stress(editor_.run().frame().elements.stresses[editor_.state().selection.tet]);
   ASSERT_GT(stress, 0);
   EXPECT_EQ(value("value/Von Mises stress"), ui::format_quantity(stress, "Pa"));
 }
@@ -125,15 +125,16 @@ NodeId pulled_node(const Frame& frame, bool of_one_element) {
 }
 
 TEST_F(EditorTest, ANodeOfOneElementHasNoEigenvaluesToShow) {
-  for (int i = 0; i < 40 && !pulled_node(editor_.frame(), true).valid(); ++i) editor_.step();
-  const NodeId alone = pulled_node(editor_.frame(), true), among_others = pulled_node(editor_.frame(), false);
+  for (int i = 0; i < 40 && !pulled_node(editor_.run().frame(), true).valid(); ++i) editor_.run().step();
+  const NodeId alone = pulled_node(editor_.run().frame(), true),
+               among_others = pulled_node(editor_.run().frame(), false);
   ASSERT_TRUE(alone.valid() && among_others.valid());
-  editor_.select_node(alone);
+  select_node(editor_.state(), editor_.run().frame(), alone);
   draw(2);
   EXPECT_EQ(value("value/Eigenvalues"), "none: one element");
   EXPECT_EQ(ui::find_tag(editor_.tags(), "value/Top eigenvector"), nullptr);
   EXPECT_EQ(value("inspector/origin"), "the mean tensile stress of its elements");
-  editor_.select_node(among_others);
+  select_node(editor_.state(), editor_.run().frame(), among_others);
   draw(2);
   EXPECT_THAT(value("value/Eigenvalues"), ::testing::HasSubstr("N"));
 }

@@ -34,20 +34,20 @@ void expect_same(const render::DrawScene& picture, const render::DrawScene& expe
 /// The editor as its window has it: steps that take long go on while it draws.
 class PaceTest : public EditorTest {
  protected:
-  PaceTest() : EditorTest(slow_wall()) { editor_.step_in_background(); }
+  PaceTest() : EditorTest(slow_wall()) { editor_.run().step_in_background(); }
 
   /// A frame so short that a step that begins in it hardly ever ends in it.
   void begin_step() {
     editor_.state().running = true;
     editor_.state().speed = 20;
-    editor_.advance(1e-3);
+    editor_.run().advance(1e-3);
   }
   /// Lets short frames pass until that step is there.
   void run_to(std::int64_t step) {
     begin_step();
-    for (int i = 0; i < 60'000 && editor_.frame().step < step && editor_.state().running; ++i) {
+    for (int i = 0; i < 60'000 && editor_.run().frame().step < step && editor_.state().running; ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      editor_.advance(1e-3);
+      editor_.run().advance(1e-3);
     }
     editor_.state().running = false;
     draw();
@@ -57,16 +57,16 @@ class PaceTest : public EditorTest {
     draw(2);
     const ui::EditorState& state = editor_.state();
     const render::DrawScene expected =
-        draw_scene_from_frame(editor_.frame(), {}, editor_.scene(), state.view, state.selection, std::nullopt,
-                              state.hidden_bodies.empty() ? HiddenBodies{} : HiddenBodies{0});
-    expect_same(editor_.picture(), expected);
+        draw_scene_from_frame(editor_.run().frame(), {}, editor_.document().scene(), state.view, state.selection,
+                              std::nullopt, state.hidden_bodies.empty() ? HiddenBodies{} : HiddenBodies{0});
+    expect_same(editor_.viewport().picture(), expected);
   }
-  std::uint64_t hash() const { return editor_.timeline().world().state_hash(); }
+  std::uint64_t hash() const { return editor_.run().timeline().world().state_hash(); }
   void fire() {
     editor_.state().shot.speed = 60;
     editor_.execute({.id = CommandId::fire});
   }
-  std::int64_t step() const { return editor_.frame().step; }
+  std::int64_t step() const { return editor_.run().frame().step; }
 };
 
 TEST_F(PaceTest, StepsInTheBackgroundLeaveWhatStepsInTurnLeave) {
@@ -83,11 +83,11 @@ TEST_F(PaceTest, AShotMeanwhileComesBeforeTheStepThatWasOnItsWay) {
   fire();
   editor_.state().running = false;
   const std::int64_t fired_at = step();
-  ASSERT_EQ(editor_.timeline().inputs().back().step, fired_at);
+  ASSERT_EQ(editor_.run().timeline().inputs().back().step, fired_at);
   run_to(fired_at + 4);
   World world(slow_wall());
   while (world.frame().step < fired_at) world.step();
-  world.fire(std::get<ProjectileBurst>(editor_.timeline().inputs().back().action));
+  world.fire(std::get<ProjectileBurst>(editor_.run().timeline().inputs().back().action));
   while (world.frame().step < step()) world.step();
   EXPECT_EQ(hash(), world.state_hash());
 }
@@ -99,7 +99,7 @@ TEST_F(PaceTest, GoingBackMeanwhileIsNotUndoneByTheStepThatEnds) {
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
   draw(3);
   EXPECT_EQ(step(), 2);
-  editor_.step();
+  editor_.run().step();
   EXPECT_EQ(step(), 3);
   run_to(8);
   World world(slow_wall());
@@ -110,7 +110,7 @@ TEST_F(PaceTest, GoingBackMeanwhileIsNotUndoneByTheStepThatEnds) {
 TEST_F(PaceTest, AnotherSceneMeanwhileIsNotGivenTheStepOfTheLast) {
   run_to(4);
   begin_step();
-  editor_.open(small_wall_file());
+  editor_.builder().open(small_wall_file());
   wait_for_work();
   EXPECT_EQ(step(), 0);
   run_to(4);
@@ -123,7 +123,7 @@ TEST_F(PaceTest, StopsBeforeACrackAllTheSame) {
   editor_.state().breakpoints.crack = ui::Breakpoints::Where::anywhere;
   run_to(200);
   ASSERT_TRUE(editor_.state().stop);
-  EXPECT_TRUE(editor_.frame().crack_events.empty());
+  EXPECT_TRUE(editor_.run().frame().crack_events.empty());
   World world(slow_wall());
   while (world.frame().step < step()) world.step();
   EXPECT_EQ(hash(), world.state_hash());
@@ -142,13 +142,13 @@ TEST_F(ClockTest, TheSpeedsShownAreThoseOfTheClock) {
   for (const double cost : {0.05, 2.8}) {  // of a step [s]
     editor_.state().running = false;
     click("command/simulation.run");
-    const double picture = 0.02, time_step = editor_.scene().simulation.time_step;
+    const double picture = 0.02, time_step = editor_.document().scene().simulation.time_step;
     std::vector<std::pair<double, double>> frames;  // how long each took [s], and what it simulated [s]
     frames.emplace_back(picture, 0);
     for (int i = 0; i < 30; ++i) {
-      const double before = editor_.frame().time;
-      editor_.advance(frames.back().first);
-      const double made = editor_.frame().time - before;
+      const double before = editor_.run().frame().time;
+      editor_.run().advance(frames.back().first);
+      const double made = editor_.run().frame().time - before;
       frames.emplace_back(picture + cost * made / time_step, made);
     }
     draw();
@@ -205,7 +205,7 @@ TEST(BackgroundStep, DrawsThePictureThatStepsInTurnHave) {
 }
 
 TEST_F(PaceTest, EachPictureIsOfTheStateShown) {
-  editor_.select_node(NodeId(40));
+  select_node(editor_.state(), editor_.run().frame(), NodeId(40));
   for (std::int64_t wanted = 1; wanted < 8; ++wanted) {
     run_to(wanted);
     expect_picture_of_what_is_shown();
@@ -225,10 +225,10 @@ TEST_F(PaceTest, AViewChangedMeanwhileIsThatOfThePicture) {
   run_to(2);
   change_during_a_step([this] { editor_.state().view.quantity = "speed"; });
   change_during_a_step([this] { editor_.state().view.layers = {ViewLayer::velocities}; });
-  change_during_a_step([this] { editor_.select_node(NodeId(25)); });
+  change_during_a_step([this] { select_node(editor_.state(), editor_.run().frame(), NodeId(25)); });
   change_during_a_step([this] { editor_.state().selection = {}; });
-  change_during_a_step([this] { editor_.state().hidden_bodies.insert(editor_.scene().bodies[0].name); });
-  EXPECT_TRUE(editor_.picture().surface.positions.empty());
+  change_during_a_step([this] { editor_.state().hidden_bodies.insert(editor_.document().scene().bodies[0].name); });
+  EXPECT_TRUE(editor_.viewport().picture().surface.positions.empty());
 }
 
 TEST_F(PaceTest, AChangedMaterialMeanwhileIsInThePicture) {
@@ -254,7 +254,7 @@ TEST_F(PaceTest, GoingBackOrToAnotherSceneMeanwhileShowsThat) {
   run_to(4);
   expect_picture_of_what_is_shown();
   begin_step();
-  editor_.open(small_wall_file());
+  editor_.builder().open(small_wall_file());
   wait_for_work();
   expect_picture_of_what_is_shown();
   run_to(3);
@@ -265,17 +265,17 @@ TEST_F(PaceTest, WhatWasDoneAfterTheLastStepIsInItsPictureWhenItComesAgain) {
   run_to(4);
   const std::int64_t last = step();
   choose_material("concrete");
-  const Material material = editor_.frame().materials[0];
+  const Material material = editor_.run().frame().materials[0];
   editor_.execute({.id = CommandId::go_to_step, .step = 1});
-  ASSERT_NE(editor_.frame().materials[0], material);
+  ASSERT_NE(editor_.run().frame().materials[0], material);
   begin_step();
   for (int i = 0; i < 60'000 && step() < last; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    editor_.advance(1e-3);
+    editor_.run().advance(1e-3);
   }
   editor_.state().running = false;
   ASSERT_EQ(step(), last);
-  EXPECT_EQ(editor_.frame().materials[0], material);
+  EXPECT_EQ(editor_.run().frame().materials[0], material);
   expect_picture_of_what_is_shown();
 }
 
@@ -290,12 +290,12 @@ TEST_F(PaceTest, ASceneGoesOnWhileASliderIsHeld) {
   play();
   editor_.state().running = true;
   for (int i = 1; i < 60'000 && step() < 6; ++i) {
-    editor_.advance(1e-3);
+    editor_.run().advance(1e-3);
     queue_.move({place.x + static_cast<float>(i % 40), place.y});  // another value in every frame
     play();
   }
   EXPECT_GE(step(), 6);
-  EXPECT_GT(editor_.timeline().inputs().size(), 2u) << "and steps have the values of their time";
+  EXPECT_GT(editor_.run().timeline().inputs().size(), 2u) << "and steps have the values of their time";
   editor_.state().running = false;
   queue_.button(0, false);
   play();

@@ -80,14 +80,14 @@ TEST(PaintedRegion, ABrushReachesTheSideThatIsSeenOfItsBodyAlone) {
 class EditorPaintingTest : public EditorTest {
  protected:
   EditorPaintingTest() {
-    ui::select_entries(editor_.state(), editor_.scene(), {{ui::EntryKind::support, 0}});
+    ui::select_entries(editor_.state(), editor_.document().scene(), {{ui::EntryKind::support, 0}});
     draw(2);
     press_key('T');
     draw(2);
   }
 
   std::set<int> region() const {
-    const auto* list = std::get_if<NodeListRegion>(&editor_.scene().bodies[0].supports[0].region);
+    const auto* list = std::get_if<NodeListRegion>(&editor_.document().scene().bodies[0].supports[0].region);
     return list ? std::set<int>(list->nodes.begin(), list->nodes.end()) : std::set<int>();
   }
 
@@ -114,19 +114,19 @@ class EditorPaintingTest : public EditorTest {
 };
 
 TEST_F(EditorPaintingTest, NodesUnderTheBrushAreHeldAndOneStrokeIsOneUndo) {
-  const std::set<int> before = held_nodes(editor_.frame());
+  const std::set<int> before = held_nodes(editor_.run().frame());
   const Vec2 grip = grip_in_view();
   stroke({0.4, 0.5}, {0.6, 0.5});
   const std::set<int> painted = region();
   EXPECT_GT(painted.size(), before.size());
   EXPECT_THAT(before, IsSubsetOf(painted));
-  EXPECT_EQ(held_nodes(editor_.frame()), painted) << "the world follows";
+  EXPECT_EQ(held_nodes(editor_.run().frame()), painted) << "the world follows";
   stroke({0.4, 0.5}, {0.6, 0.5}, true);
   EXPECT_EQ(region(), before) << "taken off again";
   press_key('Z', true);
   EXPECT_EQ(region(), painted);
   press_key('Z', true);
-  EXPECT_TRUE(std::holds_alternative<BoxRegion>(editor_.scene().bodies[0].supports[0].region));
+  EXPECT_TRUE(std::holds_alternative<BoxRegion>(editor_.document().scene().bodies[0].supports[0].region));
   wait_for_work();
   EXPECT_EQ(grip_in_view(), grip) << "the view stood still";
 }

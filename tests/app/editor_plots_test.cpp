@@ -14,7 +14,7 @@ using ui::CommandId;
 class EditorPlots : public EditorTest {
  protected:
   void make_steps(int count) {
-    for (int i = 0; i < count; ++i) editor_.step();
+    for (int i = 0; i < count; ++i) editor_.run().step();
     draw();
   }
 
@@ -31,9 +31,9 @@ TEST_F(EditorPlots, PShowsThemAndAClickInThemGoesBack) {
   draw(3);
   EXPECT_THAT(value("plots/strip/0"), HasSubstr("Kinetic, Elastic ["));
   click("plots/strip/0");
-  EXPECT_GT(editor_.frame().step, 5);
-  EXPECT_LT(editor_.frame().step, 15);
-  EXPECT_EQ(editor_.timeline().last_step(), 20);
+  EXPECT_GT(editor_.run().frame().step, 5);
+  EXPECT_LT(editor_.run().frame().step, 15);
+  EXPECT_EQ(editor_.run().timeline().last_step(), 20);
   press_key('P');
   EXPECT_FALSE(ui::find_tag(editor_.tags(), "plots/strip/0"));
 }
@@ -54,9 +54,9 @@ TEST_F(EditorPlots, AreSavedAsWhatTheyShow) {
   double step = 0, time = 0, pieces = 0, gravity = 0;
   ASSERT_EQ(std::sscanf(last.c_str(), "%lf,%lf,%lf,%lf", &step, &time, &pieces, &gravity), 4) << last;
   EXPECT_EQ(step, 6);
-  EXPECT_EQ(time, editor_.frame().time);
-  EXPECT_EQ(pieces, static_cast<double>(editor_.frame().bodies.size()));
-  EXPECT_EQ(gravity, editor_.frame().energy.gravity);
+  EXPECT_EQ(time, editor_.run().frame().time);
+  EXPECT_EQ(pieces, static_cast<double>(editor_.run().frame().bodies.size()));
+  EXPECT_EQ(gravity, editor_.run().frame().energy.gravity);
 }
 
 TEST_F(EditorPlots, NoFileIsReplacedUnasked) {
@@ -107,11 +107,11 @@ TEST_F(EditorPlots, APictureOfThemIsSavedFromTheWindow) {
   draw(4);
   EXPECT_THAT(value("save/path"), ::testing::EndsWith("plots.png")) << "no .csv behind it";
   click("save/save");
-  const auto request = editor_.take_picture_request();
+  const auto request = editor_.files().take_picture_request();
   ASSERT_TRUE(request);
   EXPECT_EQ(request->kind, ui::SavedKind::plots);
   draw(2);
-  editor_.save_window_picture(*request, target_.image(), "a test");
+  editor_.files().save_window_picture(*request, target_.image(), editor_.tags(), "a test");
   const ui::WidgetTag* strips = ui::find_tag(editor_.tags(), "plots/strips");
   ASSERT_TRUE(strips) << "they are shown for it";
   const render::Image image = render::load_png(file);
@@ -124,7 +124,7 @@ TEST_F(EditorPlots, APictureOfThemIsSavedFromTheWindow) {
 }
 
 TEST_F(EditorPlots, TheUtilizationOfTheSelectedNodeIsPlotted) {
-  editor_.select_node(NodeId(5));
+  select_node(editor_.state(), editor_.run().frame(), NodeId(5));
   make_steps(6);
   const auto file = test_folder() / "node.csv";
   std::filesystem::remove(file);
@@ -135,7 +135,7 @@ TEST_F(EditorPlots, TheUtilizationOfTheSelectedNodeIsPlotted) {
   while (std::getline(lines, line)) last = line;
   double step = 0, time = 0, utilization = 0;
   ASSERT_EQ(std::sscanf(last.c_str(), "%lf,%lf,%lf", &step, &time, &utilization), 3) << last;
-  EXPECT_NEAR(utilization, editor_.frame().nodes.separations[5].utilization, 1e-6);
+  EXPECT_NEAR(utilization, editor_.run().frame().nodes.separations[5].utilization, 1e-6);
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ TEST_F(EditorProblems, AClickChoosesTheEntryAndShowsItsField) {
   draw(2);
   click(row_with("holds no"));
   draw(6);
-  EXPECT_EQ(ui::active_entry(editor_.state(), editor_.scene()), (ui::SceneEntry{ui::EntryKind::load, 0, 0}));
+  EXPECT_EQ(ui::active_entry(editor_.state(), editor_.document().scene()), (ui::SceneEntry{ui::EntryKind::load, 0, 0}));
   EXPECT_EQ(value("entry/region"), "open");
   EXPECT_THAT(value("field_note"), HasSubstr("holds no"));
   EXPECT_THAT(editor_.state().field_note.tag, HasSubstr("entry/region"));
@@ -87,7 +87,8 @@ TEST_F(EditorProblems, AFieldOfABodyIsUnfoldedAndScrolledTo) {
 }
 
 TEST_F(EditorProblems, TheListFollowsEditsAndUndo) {
-  editor_.set_values(std::vector<SceneSetting>{{"/bodies/1/position", "[5, 1, 0]"}}, "test");
+  set_values(editor_.document().history(), editor_.state(),
+             std::vector<SceneSetting>{{"/bodies/1/position", "[5, 1, 0]"}}, "test");
   draw(2);
   wait_for_work();
   EXPECT_EQ(value("status/problems"), "1 problem");
@@ -98,7 +99,8 @@ TEST_F(EditorProblems, TheListFollowsEditsAndUndo) {
 }
 
 TEST_F(EditorProblems, NamesThatAreOutdatedGoWhenTheSceneIsSaved) {
-  editor_.open(test_file("older.json", R"({"version": 1, "bodies": [{"shape": {"box": {}}, "position": [0, 0.5, 0]}],
+  editor_.builder().open(
+      test_file("older.json", R"({"version": 1, "bodies": [{"shape": {"box": {}}, "position": [0, 0.5, 0]}],
       "view": {"quantity": "margin"}})"));
   wait_for_work();
   EXPECT_EQ(value("status/problems"), "1 problem");
@@ -111,7 +113,7 @@ TEST_F(EditorProblems, WhatBecameOfTheCellsOfAMeshIsListed) {
   test_file("pyramid.msh",
             "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n$EndNodes\n"
             "$Elements\n2\n1 7 2 1 1 1 2 3 4 5\n2 2 2 1 1 1 2 3\n$EndElements\n");
-  editor_.open(test_file("pyramid.json", R"({"version": 1, "bodies": [
+  editor_.builder().open(test_file("pyramid.json", R"({"version": 1, "bodies": [
       {"name": "pyramid", "shape": {"mesh": {"path": "pyramid.msh"}}, "position": [0, 1, 0]}]})"));
   wait_for_work();
   click("status/problems");

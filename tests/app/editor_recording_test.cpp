@@ -81,13 +81,13 @@ TEST_F(EditorRecording, NoFileIsReplacedUnasked) {
 TEST_F(EditorRecording, ABugReportHoldsTheWindowAndTheLog) {
   play();
   const auto file = path("report.tar.zst");
-  editor_.log(ui::LogLevel::warning, "something odd");
+  log_message(editor_.state(), ui::LogLevel::warning, "something odd");
   editor_.execute({.id = CommandId::save_report, .path = file});
-  const auto request = editor_.take_picture_request();
+  const auto request = editor_.files().take_picture_request();
   ASSERT_TRUE(request);
-  EXPECT_FALSE(editor_.take_picture_request()) << "once";
+  EXPECT_FALSE(editor_.files().take_picture_request()) << "once";
   draw();
-  editor_.save_window_picture(*request, target_.image(), "a test");
+  editor_.files().save_window_picture(*request, target_.image(), editor_.tags(), "a test");
   const Recording report = read_recording(file);
   EXPECT_THAT(report.extras.at("log.txt"), HasSubstr("warning: something odd"));
   EXPECT_TRUE(report.extras.at("screenshot.png").starts_with("\x89PNG"));

@@ -14,10 +14,10 @@ namespace griffith::app {
 namespace {
 
 TEST_F(EditorTest, MaterialsActOnTheRunningSimulation) {
-  editor_.step();
+  editor_.run().step();
   click("material/yields");
-  EXPECT_EQ(editor_.frame().step, 1);
-  EXPECT_TRUE(editor_.frame().materials[0].yield_strength);
+  EXPECT_EQ(editor_.run().frame().step, 1);
+  EXPECT_TRUE(editor_.run().frame().materials[0].yield_strength);
 }
 
 TEST_F(EditorTest, PausedPictureShowsAnEditedMaterial) {
@@ -46,12 +46,12 @@ TEST_F(EditorTest, StepAndResetMoveTheClock) {
 }
 
 TEST_F(EditorTest, RunsInSlowMotionOnlyWhileRunning) {
-  editor_.advance(1);
+  editor_.run().advance(1);
   draw();
   EXPECT_EQ(value("toolbar/step"), "step 0");
   click("command/simulation.run");
   editor_.state().speed = 0.1;
-  for (int i = 0; i < 50; ++i) editor_.advance(0.02);  // a second: a tenth of the 120 steps
+  for (int i = 0; i < 50; ++i) editor_.run().advance(0.02);  // a second: a tenth of the 120 steps
   draw();
   EXPECT_EQ(value("toolbar/step"), "step 12");
 }
@@ -84,7 +84,7 @@ TEST_F(EditorTest, RightClickInTheViewHitsTheWallThere) {
   still.projectiles.clear();
   const std::filesystem::path path = test_folder() / "still.json";
   write_scene(still, path);
-  editor_.open(path);
+  editor_.builder().open(path);
   draw(2);
   const auto step_until_contact = [this] {
     int steps = 0;
@@ -100,13 +100,13 @@ TEST_F(EditorTest, RightClickInTheViewHitsTheWallThere) {
 
 TEST_F(EditorTest, BadFileIsShownAndEverythingStays) {
   click("command/simulation.step");
-  editor_.open("no_such_scene.json");
+  editor_.builder().open("no_such_scene.json");
   draw(2);
   ASSERT_TRUE(editor_.state().error.has_value());
   EXPECT_EQ(value("toolbar/step"), "step 1");
   click("error/close");
   EXPECT_FALSE(editor_.state().error.has_value());
-  editor_.open(small_wall_file());
+  editor_.builder().open(small_wall_file());
   draw();
   EXPECT_FALSE(editor_.state().error.has_value());
   EXPECT_EQ(value("toolbar/step"), "step 0");
@@ -120,13 +120,13 @@ TEST_F(EditorTest, EditsThatAreNotSavedAreNotLostUnasked) {
   draw(4);
   click("unsaved/cancel");
   EXPECT_FALSE(editor_.state().unsaved);
-  EXPECT_NE(editor_.title().find('*'), std::string::npos) << "all is as it was";
+  EXPECT_NE(editor_.document().title().find('*'), std::string::npos) << "all is as it was";
 
   editor_.execute(quit);
   draw(4);
-  EXPECT_FALSE(editor_.wants_to_quit());
+  EXPECT_FALSE(editor_.requests().quit);
   click("unsaved/discard");
-  EXPECT_TRUE(editor_.wants_to_quit());
+  EXPECT_TRUE(editor_.requests().quit);
 }
 
 TEST_F(EditorTest, EditsCanBeSavedBeforeAnotherSceneOpens) {
@@ -140,7 +140,7 @@ TEST_F(EditorTest, EditsCanBeSavedBeforeAnotherSceneOpens) {
   click("unsaved/save");
   wait_for_work();
   EXPECT_EQ(read_scene(saved).bodies[0].material.name, "concrete");
-  EXPECT_EQ(editor_.title().find('*'), std::string::npos);
+  EXPECT_EQ(editor_.document().title().find('*'), std::string::npos);
   EXPECT_FALSE(editor_.state().unsaved);
 }
 
@@ -161,7 +161,7 @@ TEST_F(EditorTest, AutomaticRangeIsThatOfAPictureOfTheStepAlone) {
   SteadyRange headless;
   headless.follow(world.frame(), "von_mises");
   for (int step = 1; step <= 24; ++step) {
-    editor_.step();
+    editor_.run().step();
     if (step % 5 == 0) draw();  // not of every step
     world.step();
     headless.follow(world.frame(), "von_mises");
@@ -172,10 +172,10 @@ TEST_F(EditorTest, AutomaticRangeIsThatOfAPictureOfTheStepAlone) {
 }
 
 TEST_F(EditorTest, AutomaticRangeStartsAgainWithAnotherMaterial) {
-  for (int step = 0; step < 24; ++step) editor_.step();
+  for (int step = 0; step < 24; ++step) editor_.run().step();
   choose_material("concrete");
   SteadyRange alone;
-  alone.follow(editor_.frame(), "von_mises");
+  alone.follow(editor_.run().frame(), "von_mises");
   editor_.execute({.id = ui::CommandId::toggle_range_lock});
   EXPECT_TRUE(editor_.state().view.range->cast<float>() == alone.range()->cast<float>());
 }
@@ -187,8 +187,8 @@ TEST_F(EditorTest, HomeLeavesOutWhatFliesFar) {
   scene.projectiles[0].speed = 100;
   const auto path = test_folder() / "past.json";
   write_scene(scene, path);
-  editor_.open(path);
-  for (int step = 0; step < 60; ++step) editor_.step();
+  editor_.builder().open(path);
+  for (int step = 0; step < 60; ++step) editor_.run().step();
   draw(2);
   editor_.execute({.id = ui::CommandId::frame_all});
   draw(2);
@@ -223,19 +223,19 @@ TEST_F(EditorWithoutCameras, TheFirstPictureIsFramedAsHomeFramesIt) {
   draw(2);
   EXPECT_EQ(first, hits_across());
   write_scene(scene(), test_folder() / "opened.json");
-  editor_.open(test_folder() / "opened.json");
+  editor_.builder().open(test_folder() / "opened.json");
   draw(2);
   EXPECT_EQ(first, hits_across());
 }
 
 TEST_F(EditorTest, SavedSceneOpensAsItWasEditedAndShown) {
   const std::filesystem::path path = small_wall_file();
-  editor_.open(path);
+  editor_.builder().open(path);
   draw(2);
   click("view/edges");
   click("material/preset");
   click("material/preset/concrete");
-  EXPECT_EQ(editor_.title().find('*'), std::string("small wall ").size());
+  EXPECT_EQ(editor_.document().title().find('*'), std::string("small wall ").size());
   ImGui::GetIO().KeyCtrl = true;
   ImGui::GetIO().KeysDown['S'] = true;
   draw();
@@ -244,7 +244,7 @@ TEST_F(EditorTest, SavedSceneOpensAsItWasEditedAndShown) {
   const Scene saved = read_scene(path);
   EXPECT_EQ(saved.bodies[0].material.name, "concrete");
   EXPECT_FALSE(saved.view.edges);
-  EXPECT_EQ(editor_.title(), "small wall - Griffith");
+  EXPECT_EQ(editor_.document().title(), "small wall - Griffith");
 }
 
 TEST(CommandActions, EveryCommandIsBoundExactlyOnce) {
@@ -253,12 +253,11 @@ TEST(CommandActions, EveryCommandIsBoundExactlyOnce) {
   EXPECT_EQ(Editor::command_actions().size(), ui::command_registry().size());
 }
 
-TEST_F(EditorTest, ScreenshotAndQuitAreAskedForOnce) {
-  EXPECT_FALSE(editor_.take_screenshot_request());
+TEST_F(EditorTest, AScreenshotIsRequestedWithoutQuitting) {
+  EXPECT_FALSE(editor_.requests().screenshot);
   click("command/file.screenshot");
-  EXPECT_TRUE(editor_.take_screenshot_request());
-  EXPECT_FALSE(editor_.take_screenshot_request());
-  EXPECT_FALSE(editor_.wants_to_quit());
+  EXPECT_TRUE(editor_.requests().screenshot);
+  EXPECT_FALSE(editor_.requests().quit);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ using ui::CommandId;
 class TimeTest : public EditorTest {
  protected:
   void run(int steps) {
-    for (int i = 0; i < steps; ++i) editor_.step();
+    for (int i = 0; i < steps; ++i) editor_.run().step();
     draw();
   }
   /// Fires at the middle of the view with a shot that breaks the wall.
@@ -27,27 +27,27 @@ class TimeTest : public EditorTest {
   }
   void run_until_stopped() {
     editor_.state().running = true;
-    for (int i = 0; i < 200 && editor_.state().running; ++i) editor_.advance(0.02);
+    for (int i = 0; i < 200 && editor_.state().running; ++i) editor_.run().advance(0.02);
     draw();
   }
-  std::int64_t step() const { return editor_.frame().step; }
-  std::size_t cracks() const { return editor_.frame().crack_events.size(); }
+  std::int64_t step() const { return editor_.run().frame().step; }
+  std::size_t cracks() const { return editor_.run().frame().crack_events.size(); }
 };
 
 TEST_F(TimeTest, StepsBackAndForthAndAgain) {
   run(6);
-  const std::uint64_t hash = editor_.timeline().world().state_hash();
+  const std::uint64_t hash = editor_.run().timeline().world().state_hash();
   click("command/time.back");
   click("command/time.back");
   EXPECT_EQ(step(), 4);
   click("command/simulation.step");
   click("command/simulation.step");
   EXPECT_EQ(step(), 6);
-  EXPECT_EQ(editor_.timeline().world().state_hash(), hash);
+  EXPECT_EQ(editor_.run().timeline().world().state_hash(), hash);
   click("command/time.start");
   EXPECT_EQ(value("toolbar/step"), "step 0");
   click("command/time.end");
-  EXPECT_EQ(editor_.timeline().world().state_hash(), hash);
+  EXPECT_EQ(editor_.run().timeline().world().state_hash(), hash);
 }
 
 TEST_F(TimeTest, AClickOnTheBarGoesThere) {
@@ -62,50 +62,50 @@ TEST_F(TimeTest, AClickOnTheBarGoesThere) {
 TEST_F(TimeTest, AShotInThePastBeginsABranchThatTheListGoesTo) {
   run(10);
   EXPECT_FALSE(ui::find_tag(editor_.tags(), "time/branch"));
-  const std::size_t shots = editor_.frame().projectiles.size();
+  const std::size_t shots = editor_.run().frame().projectiles.size();
   click("command/time.back");
   fire();
   run(5);
   ASSERT_TRUE(ui::find_tag(editor_.tags(), "time/branch"));
-  EXPECT_EQ(editor_.frame().projectiles.size(), shots + 1);
+  EXPECT_EQ(editor_.run().frame().projectiles.size(), shots + 1);
   click("time/branch");
   click("time/branch/0");
   EXPECT_EQ(step(), 10);
-  EXPECT_EQ(editor_.frame().projectiles.size(), shots);
+  EXPECT_EQ(editor_.run().frame().projectiles.size(), shots);
 }
 
 TEST_F(TimeTest, TheMaterialGoesBackToo) {
   run(4);
   click("material/yields");
   run(4);
-  EXPECT_TRUE(editor_.frame().materials[0].yield_strength);
+  EXPECT_TRUE(editor_.run().frame().materials[0].yield_strength);
   click("command/time.start");
-  EXPECT_FALSE(editor_.frame().materials[0].yield_strength);
+  EXPECT_FALSE(editor_.run().frame().materials[0].yield_strength);
   EXPECT_EQ(value("material/yields"), "off");
   draw();
-  EXPECT_EQ(editor_.timeline().branches().size(), 1u) << "looking back does nothing to the world";
+  EXPECT_EQ(editor_.run().timeline().branches().size(), 1u) << "looking back does nothing to the world";
   run(6);
   EXPECT_EQ(value("material/yields"), "on") << "playing on, the panel follows too";
   run(1);
   click("command/time.start");
   click("command/time.end");
-  EXPECT_TRUE(editor_.frame().materials[0].yield_strength);
-  EXPECT_EQ(editor_.timeline().branches().size(), 1u);
+  EXPECT_TRUE(editor_.run().frame().materials[0].yield_strength);
+  EXPECT_EQ(editor_.run().timeline().branches().size(), 1u);
 }
 
 TEST_F(TimeTest, WhatWasEditedBeforeTheStepStaysWhenItIsStoppedBefore) {
   run(3);
   editor_.state().breakpoints.crack = Breakpoints::Where::anywhere;
-  const double strength = editor_.frame().materials[0].tensile_strength;
+  const double strength = editor_.run().frame().materials[0].tensile_strength;
   choose_material("ice");
-  ASSERT_NE(editor_.frame().materials[0].tensile_strength, strength);
-  const Material chosen = editor_.frame().materials[0];
+  ASSERT_NE(editor_.run().frame().materials[0].tensile_strength, strength);
+  const Material chosen = editor_.run().frame().materials[0];
   fire();
   run_until_stopped();
-  EXPECT_EQ(editor_.frame().materials[0], chosen);
-  EXPECT_EQ(editor_.timeline().branches().size(), 1u);
+  EXPECT_EQ(editor_.run().frame().materials[0], chosen);
+  EXPECT_EQ(editor_.run().timeline().branches().size(), 1u);
   draw(3);
-  EXPECT_EQ(editor_.timeline().branches().size(), 1u) << "the scene and the world agree";
+  EXPECT_EQ(editor_.run().timeline().branches().size(), 1u) << "the scene and the world agree";
 }
 
 TEST_F(TimeTest, StopsBeforeACrackWithTheNodeStillWhole) {
@@ -120,10 +120,10 @@ TEST_F(TimeTest, StopsBeforeACrackWithTheNodeStillWhole) {
   const std::int64_t stopped_at = step();
   const NodeId node = editor_.state().selection.node;
   ASSERT_TRUE(node.valid()) << "the node that is about to crack is explained";
-  editor_.step();
+  editor_.run().step();
   EXPECT_EQ(step(), stopped_at + 1) << "the next step passes the breakpoint";
   ASSERT_GT(cracks(), 0u);
-  EXPECT_EQ(editor_.frame().crack_events[0].node, node);
+  EXPECT_EQ(editor_.run().frame().crack_events[0].node, node);
 }
 
 TEST_F(TimeTest, WhatWouldHaveHeldItHoldsIt) {
@@ -132,12 +132,12 @@ TEST_F(TimeTest, WhatWouldHaveHeldItHoldsIt) {
   run_until_stopped();
   ASSERT_TRUE(editor_.state().stop && editor_.state().stop->node.valid());
   const NodeId node = editor_.state().selection.node;
-  const CriticalFactor factor = critical_strength_factor(editor_.timeline().world(), 0, node);
+  const CriticalFactor factor = critical_strength_factor(editor_.run().timeline().world(), 0, node);
   ASSERT_TRUE(factor.found);
   EXPECT_GT(factor.holds, 1);
   EXPECT_LE(factor.holds, 1.011 * factor.breaks);
   const auto cracks_at_node = [&](double strength) {
-    World world = editor_.timeline().world();
+    World world = editor_.run().timeline().world();
     const Vec3 place = world.frame().nodes.rest_positions[node];
     Material material = world.frame().materials[0];
     material.tensile_strength *= strength;
@@ -156,7 +156,7 @@ TEST_F(TimeTest, SaysFromWhatStrengthSpeedAndThicknessOnANodeStands) {
   editor_.state().breakpoints.crack = Breakpoints::Where::anywhere;
   fire();
   run_until_stopped();
-  const std::uint64_t hash = editor_.timeline().world().state_hash();
+  const std::uint64_t hash = editor_.run().timeline().world().state_hash();
   click("time/holding");
   EXPECT_THAT(value("work/stage"), HasSubstr("Trying"));
   wait_for_work();
@@ -164,7 +164,7 @@ TEST_F(TimeTest, SaysFromWhatStrengthSpeedAndThicknessOnANodeStands) {
   EXPECT_THAT(value("report/fact0"), HasSubstr("times the strength"));
   EXPECT_THAT(value("report/fact1"), HasSubstr("Speed: "));
   EXPECT_THAT(value("report/fact2"), HasSubstr("Thickness: "));
-  EXPECT_EQ(editor_.timeline().world().state_hash(), hash) << "trying changes nothing";
+  EXPECT_EQ(editor_.run().timeline().world().state_hash(), hash) << "trying changes nothing";
   click("report/close");
   click("time/holding");
   click("work/cancel");
@@ -178,16 +178,16 @@ TEST_F(TimeTest, StopsBeforeThePiecesAndTheUtilizationAreThere) {
   fire();
   run_until_stopped();
   EXPECT_THAT(value("time/stopped"), HasSubstr("pieces after the next step"));
-  EXPECT_LT(editor_.frame().fragments, 2);
-  editor_.step();
-  EXPECT_GE(editor_.frame().fragments, 2);
+  EXPECT_LT(editor_.run().frame().fragments, 2);
+  editor_.run().step();
+  EXPECT_GE(editor_.run().frame().fragments, 2);
   editor_.execute({.id = CommandId::go_to_start});
   editor_.state().breakpoints = {};
   editor_.state().breakpoints.on_utilization = true;
   editor_.state().breakpoints.utilization = 0.2;
   run_until_stopped();
   EXPECT_THAT(value("time/stopped"), HasSubstr("utilization"));
-  EXPECT_LE(editor_.frame().report.peak_utilization, 0.2);
+  EXPECT_LE(editor_.run().frame().report.peak_utilization, 0.2);
 }
 
 TEST_F(TimeTest, SoManyStepsAreMadeAsAreAskedFor) {
@@ -198,24 +198,24 @@ TEST_F(TimeTest, SoManyStepsAreMadeAsAreAskedFor) {
   draw();
   click("steps/make");
   EXPECT_TRUE(editor_.state().running);
-  for (int i = 0; i < 100 && editor_.state().running; ++i) editor_.advance(1e-6);
+  for (int i = 0; i < 100 && editor_.state().running; ++i) editor_.run().advance(1e-6);
   EXPECT_EQ(step(), 7) << "whatever time has passed";
   EXPECT_FALSE(editor_.state().running);
   editor_.execute({.id = CommandId::make_steps, .step = 1000});
-  editor_.advance(1e-6);
+  editor_.run().advance(1e-6);
   EXPECT_GT(step(), 7);
   press_key(ui::key::kSpace);
   EXPECT_FALSE(editor_.state().running) << "Space stops before";
   const std::int64_t stopped = step();
-  editor_.advance(0.02);
+  editor_.run().advance(0.02);
   EXPECT_EQ(step(), stopped);
 }
 
 TEST_F(TimeTest, HoldingTheRightButtonAimsAndLettingGoFires) {
   const ui::WidgetTag* view = ui::find_tag(editor_.tags(), "viewport");
   ASSERT_TRUE(view);
-  editor_.step();  // the scene's own shot is on its way
-  const std::size_t shots = editor_.frame().projectiles.size();
+  editor_.run().step();  // the scene's own shot is on its way
+  const std::size_t shots = editor_.run().frame().projectiles.size();
   const auto hold = [&](bool down) {
     queue_.button(1, down);
     play();
@@ -227,13 +227,13 @@ TEST_F(TimeTest, HoldingTheRightButtonAimsAndLettingGoFires) {
   EXPECT_THAT(value("aim/readout"), HasSubstr("hits after"));
   press_key(ui::key::kEscape);
   hold(false);
-  editor_.step();
-  EXPECT_EQ(editor_.frame().projectiles.size(), shots) << "Escape cancelled it";
+  editor_.run().step();
+  EXPECT_EQ(editor_.run().frame().projectiles.size(), shots) << "Escape cancelled it";
   hold(true);
   hold(false);
   EXPECT_EQ(value("aim/readout"), "no widget aim/readout");
-  editor_.step();
-  EXPECT_EQ(editor_.frame().projectiles.size(), shots + 1);
+  editor_.run().step();
+  EXPECT_EQ(editor_.run().frame().projectiles.size(), shots + 1);
 }
 
 /// A wall whose steps take some milliseconds, in an editor with memory for hardly any copy of it.
@@ -259,24 +259,24 @@ TEST_F(FarTravelTest, GoingBackFarShowsProgressAndCanBeCancelled) {
   constexpr int kSteps = 250;
   std::uint64_t hash = 0;
   for (int i = 0; i < kSteps; ++i) {
-    editor_.step();
-    if (i == kSteps - 2) hash = editor_.timeline().world().state_hash();
+    editor_.run().step();
+    if (i == kSteps - 2) hash = editor_.run().timeline().world().state_hash();
   }
-  ASSERT_GE(editor_.timeline().interval(), 256) << "no copy but the first";
+  ASSERT_GE(editor_.run().timeline().interval(), 256) << "no copy but the first";
   editor_.execute({.id = CommandId::step_back});
   ASSERT_THAT(editor_.state().work, HasSubstr("going to step 249"));
   draw(3);
   EXPECT_THAT(value("work/stage"), HasSubstr("Repeating"));
   wait_for_work();
-  EXPECT_EQ(editor_.frame().step, kSteps - 1);
-  EXPECT_EQ(editor_.timeline().world().state_hash(), hash);
+  EXPECT_EQ(editor_.run().frame().step, kSteps - 1);
+  EXPECT_EQ(editor_.run().timeline().world().state_hash(), hash);
   editor_.execute({.id = CommandId::step_back});
   draw(4);
   click("work/cancel");
   draw(3);
   EXPECT_TRUE(editor_.state().work.empty());
-  EXPECT_LT(editor_.frame().step, kSteps - 2) << "where it had got to";
-  EXPECT_EQ(editor_.timeline().last_step(), kSteps);
+  EXPECT_LT(editor_.run().frame().step, kSteps - 2) << "where it had got to";
+  EXPECT_EQ(editor_.run().timeline().last_step(), kSteps);
 }
 
 }  // namespace

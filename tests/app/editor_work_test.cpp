@@ -37,8 +37,8 @@ TEST_F(EditorTest, WorkThatLastsShowsADialogThatCancelsIt) {
   scene.bodies[0].supports.clear();
   const auto path = test_folder() / "ball.json";
   write_scene(scene, path);
-  const std::string before = editor_.title();
-  editor_.open(path);
+  const std::string before = editor_.document().title();
+  editor_.builder().open(path);
   insist();
   const auto begins = [&] {
     const std::string stage = value("work/stage");
@@ -53,7 +53,7 @@ TEST_F(EditorTest, WorkThatLastsShowsADialogThatCancelsIt) {
   click("work/cancel");
   draw(2);
   EXPECT_TRUE(editor_.state().work.empty());
-  EXPECT_EQ(editor_.title(), before);
+  EXPECT_EQ(editor_.document().title(), before);
   EXPECT_FALSE(editor_.state().error);
 }
 
@@ -64,9 +64,9 @@ TEST_F(EditorTest, TheFirstPictureOfASceneThatTookLongIsItsOwn) {
   scene.name = "behind";
   write_scene(scene, test_folder() / "behind.json");
   EXPECT_GT(hits_across(), 0);
-  editor_.open(test_folder() / "behind.json");
+  editor_.builder().open(test_folder() / "behind.json");
   ASSERT_NE(editor_.state().work, "");
-  for (int i = 0; i < 6000 && !editor_.title().starts_with("behind"); ++i) {
+  for (int i = 0; i < 6000 && !editor_.document().title().starts_with("behind"); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     draw();
   }
@@ -74,30 +74,30 @@ TEST_F(EditorTest, TheFirstPictureOfASceneThatTookLongIsItsOwn) {
 }
 
 TEST_F(EditorTest, AMeshThatWouldBeHugeAsksFirst) {
-  const std::size_t tets = editor_.frame().elements.tets.size();
-  const std::string before = editor_.title();
+  const std::size_t tets = editor_.run().frame().elements.tets.size();
+  const std::string before = editor_.document().title();
   Scene scene = small_wall();
   BoxShape box;
   box.element_size = Vec3::Constant(0.011);
   scene.bodies[0].shape = box;
   write_scene(scene, test_folder() / "fine.json");
-  editor_.open(test_folder() / "fine.json");
+  editor_.builder().open(test_folder() / "fine.json");
   wait_for_work();
   EXPECT_THAT(value("large_mesh/text"), ::testing::HasSubstr("about 3,800,000 tetrahedra"));
   click("large_mesh/cancel");
-  EXPECT_EQ(editor_.title(), before);
-  EXPECT_EQ(editor_.frame().elements.tets.size(), tets);
+  EXPECT_EQ(editor_.document().title(), before);
+  EXPECT_EQ(editor_.run().frame().elements.tets.size(), tets);
   EXPECT_FALSE(editor_.state().large_mesh);
 }
 
 TEST_F(EditorTest, AnEditThatWouldMakeAHugeMeshCanBeTakenBack) {
-  const std::size_t tets = editor_.frame().elements.tets.size();
+  const std::size_t tets = editor_.run().frame().elements.tets.size();
   click("body");
   click("body/shape");
   click("body/shape/kind_of");
   click("body/shape/kind_of/sphere");
   wait_for_work();
-  const std::size_t of_sphere = editor_.frame().elements.tets.size();
+  const std::size_t of_sphere = editor_.run().frame().elements.tets.size();
   EXPECT_NE(of_sphere, tets);
   click("body/shape/sphere/element_size", 1);
   for (const char letter : std::string("9 mm")) ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(letter));
@@ -107,26 +107,26 @@ TEST_F(EditorTest, AnEditThatWouldMakeAHugeMeshCanBeTakenBack) {
   wait_for_work();
   EXPECT_NE(value("large_mesh/text"), "no widget large_mesh/text");
   click("large_mesh/cancel");
-  EXPECT_EQ(editor_.frame().elements.tets.size(), of_sphere);
+  EXPECT_EQ(editor_.run().frame().elements.tets.size(), of_sphere);
   EXPECT_EQ(value("body/shape/sphere/element_size"), "200 mm");
 }
 
 TEST_F(EditorTest, AnEditedShapeStartsTheSimulationAgainAndTheEditCanBeUndone) {
-  const std::size_t tets = editor_.frame().elements.tets.size();
-  editor_.step();
-  EXPECT_EQ(editor_.frame().step, 1);
+  const std::size_t tets = editor_.run().frame().elements.tets.size();
+  editor_.run().step();
+  EXPECT_EQ(editor_.run().frame().step, 1);
   click("body");
   click("body/remeshing");
   wait_for_work();
-  EXPECT_EQ(editor_.frame().step, 0);
+  EXPECT_EQ(editor_.run().frame().step, 0);
   click("body/shape");
   click("body/shape/kind_of");
   click("body/shape/kind_of/sphere");
   wait_for_work();
-  EXPECT_NE(editor_.frame().elements.tets.size(), tets);
+  EXPECT_NE(editor_.run().frame().elements.tets.size(), tets);
   click("command/edit.undo");
   wait_for_work();
-  EXPECT_EQ(editor_.frame().elements.tets.size(), tets);
+  EXPECT_EQ(editor_.run().frame().elements.tets.size(), tets);
   EXPECT_FALSE(editor_.state().error);
 }
 
@@ -191,18 +191,18 @@ TEST_F(EditorTest, ABrokenFileOpenedDuringWorkLeavesTheWorkAndTheEdits) {
   editor_.state().show_surface = true;
   draw(4);
   click("surface/fill");
-  editor_.open(test_file("broken.json", "{\"bodies\": ["));
+  editor_.builder().open(test_file("broken.json", "{\"bodies\": ["));
   wait_for_work();
   ASSERT_TRUE(editor_.state().error);
   click("error/close");
   draw(4);
   click("report/close");
   EXPECT_EQ(value("bodies/1"), "ball");
-  EXPECT_NE(editor_.title().find('*'), std::string::npos) << "nothing was saved";
+  EXPECT_NE(editor_.document().title().find('*'), std::string::npos) << "nothing was saved";
   click("command/edit.undo");
   EXPECT_EQ(value("bodies/1"), "no widget bodies/1");
   click("command/edit.undo");
-  EXPECT_EQ(editor_.title().find('*'), std::string::npos);
+  EXPECT_EQ(editor_.document().title().find('*'), std::string::npos);
 }
 
 TEST_F(EditorTest, UndoThatTakesLongCanBeCancelledAndLeavesWhatWas) {
@@ -215,7 +215,7 @@ TEST_F(EditorTest, UndoThatTakesLongCanBeCancelledAndLeavesWhatWas) {
   scene.bodies[0].shape = shape;
   const auto path = test_folder() / "grown.json";
   write_scene(scene, path);
-  editor_.open(path);
+  editor_.builder().open(path);
   draw();
   wait_for_work();
   ASSERT_FALSE(editor_.state().error) << editor_.state().error->where << ": " << editor_.state().error->problem;
@@ -228,7 +228,7 @@ TEST_F(EditorTest, UndoThatTakesLongCanBeCancelledAndLeavesWhatWas) {
   ASSERT_FALSE(editor_.state().error) << editor_.state().error->where << ": " << editor_.state().error->problem;
   click("report/close");
   ASSERT_EQ(value("bodies/1"), "ball");
-  const std::size_t tets = editor_.frame().elements.tets.size();
+  const std::size_t tets = editor_.run().frame().elements.tets.size();
   test_file("grown.off", tet_surface("1.2"));  // 1,728 times the elements
   click("command/edit.undo");
   insist();
@@ -237,7 +237,7 @@ TEST_F(EditorTest, UndoThatTakesLongCanBeCancelledAndLeavesWhatWas) {
   draw(2);
   EXPECT_TRUE(editor_.state().work.empty());
   EXPECT_EQ(value("bodies/1"), "ball");
-  EXPECT_EQ(editor_.frame().elements.tets.size(), tets);
+  EXPECT_EQ(editor_.run().frame().elements.tets.size(), tets);
   EXPECT_FALSE(editor_.state().error);
 }
 

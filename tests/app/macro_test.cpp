@@ -26,7 +26,7 @@ class MacroTest : public EditorTest {
  protected:
   MacroTest() {
     fs::remove_all(test_folder());
-    editor_.use_macros(macros());
+    editor_.scripting().use_macros(macros());
   }
 
   static fs::path macros() { return test_folder() / "macros"; }
@@ -74,7 +74,7 @@ class MacroTest : public EditorTest {
   }
 
   std::string scene_text() const {
-    Scene scene = editor_.scene();
+    Scene scene = editor_.document().scene();
     scene.view = const_cast<Editor&>(editor_).state().view;
     scene.schema.clear();
     return scene_to_json(scene);
@@ -96,9 +96,9 @@ TEST_F(MacroTest, WhatIsRecordedDoesTheSameAgain) {
   drag("viewport", 60, 20);
   editor_.execute({.id = CommandId::fire, .cursor = {0.5, 0.45}});
   draw();
-  for (int i = 0; i < 5; ++i) editor_.step(), draw();
+  for (int i = 0; i < 5; ++i) editor_.run().step(), draw();
   const std::string made = scene_text();
-  const std::uint64_t hash = editor_.timeline().world().state_hash();
+  const std::uint64_t hash = editor_.run().timeline().world().state_hash();
   const std::string recorded = save_recorded("all of it");
   EXPECT_THAT(recorded, HasSubstr("command add.support"));
   EXPECT_THAT(recorded, HasSubstr("command simulation.fire 0.5 0.45"));
@@ -108,7 +108,7 @@ TEST_F(MacroTest, WhatIsRecordedDoesTheSameAgain) {
   EXPECT_NE(scene_text(), made);
   play_script(read_script(macros() / "all of it.script"));
   EXPECT_EQ(scene_text(), made);
-  EXPECT_EQ(editor_.timeline().world().state_hash(), hash) << recorded;
+  EXPECT_EQ(editor_.run().timeline().world().state_hash(), hash) << recorded;
 }
 
 TEST_F(MacroTest, UndoTakesBackOneRecordedEdit) {
@@ -119,9 +119,9 @@ TEST_F(MacroTest, UndoTakesBackOneRecordedEdit) {
   const std::string recorded = save_recorded("undo");
   editor_.execute({.id = CommandId::undo});
   draw();
-  EXPECT_NE(editor_.scene().bodies[0].material.name, "concrete");
+  EXPECT_NE(editor_.document().scene().bodies[0].material.name, "concrete");
   play_script(parse_script(recorded, "undo"));
-  EXPECT_EQ(editor_.scene().bodies[0].material.name, "concrete") << recorded;
+  EXPECT_EQ(editor_.document().scene().bodies[0].material.name, "concrete") << recorded;
 }
 
 TEST_F(MacroTest, QuestionsAndTimeItselfAreNotRecorded) {
@@ -147,7 +147,7 @@ TEST_F(MacroTest, TheStatusBarStopsTheRecording) {
 TEST_F(MacroTest, ThePaletteAndTheMenuPlayMacrosByName) {
   fs::create_directories(macros());
   std::ofstream(macros() / "make glass.script") << "set bodies/0/material ice\n";
-  editor_.use_macros(macros());
+  editor_.scripting().use_macros(macros());
   draw(2);
   press_key('P', true);
   draw(3);
@@ -155,10 +155,10 @@ TEST_F(MacroTest, ThePaletteAndTheMenuPlayMacrosByName) {
   EXPECT_EQ(value("palette/macro/make glass"), "make glass");
   press_key(ui::key::kEnter);
   draw(2);
-  const std::optional<Script> wanted = editor_.take_script_request();
+  const std::optional<Script> wanted = editor_.scripting().take_request();
   ASSERT_TRUE(wanted);
   play_script(*wanted);
-  EXPECT_EQ(editor_.scene().bodies[0].material.name, "ice");
+  EXPECT_EQ(editor_.document().scene().bodies[0].material.name, "ice");
 }
 
 TEST_F(MacroTest, AScriptPlaysMacrosButNoneThatPlaysItself) {
@@ -166,7 +166,7 @@ TEST_F(MacroTest, AScriptPlaysMacrosButNoneThatPlaysItself) {
   const fs::path inner = macros() / "inner.script", loop = macros() / "loop.script";
   std::ofstream(inner) << "step 2\n";
   play_script(parse_script("command edit.play_macro \"" + inner.string() + "\"\nstep\n", "outer"));
-  EXPECT_EQ(editor_.frame().step, 3);
+  EXPECT_EQ(editor_.run().frame().step, 3);
   const std::string plays_itself = "command edit.play_macro \"" + loop.string() + "\"\n";
   std::ofstream many(loop);
   many << plays_itself;

@@ -73,7 +73,7 @@ TEST(RecentFiles, TheNewestIsFirstOnceAndWhatIsGoneIsPassedBy) {
 
 TEST_F(EditorTest, OpenedScenesAreInTheMenuOfRecentOnes) {
   editor_.enable_autosave(test_folder() / "states");
-  editor_.open(small_wall_file());
+  editor_.builder().open(small_wall_file());
   wait_for_work();
   click("menu/File");
   click("menu/Recent");

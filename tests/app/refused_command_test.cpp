@@ -18,11 +18,11 @@ TEST_F(EditorTest, EveryCommandThatMakesNoSenseSaysWhyAndDoesNothing) {
   for (const ui::CommandInfo& info : ui::command_registry()) {
     const std::string reason(editor_.disabled_reason(info.id));
     if (reason.empty()) continue;
-    const Scene scene = editor_.scene();
+    const Scene scene = editor_.document().scene();
     editor_.execute({.id = info.id});
     draw(2);
     EXPECT_EQ(value("status/message"), std::string(info.label) + ": " + reason) << info.name;
-    EXPECT_EQ(editor_.scene(), scene) << info.name;
+    EXPECT_EQ(editor_.document().scene(), scene) << info.name;
     EXPECT_FALSE(editor_.state().save_as) << info.name;
     ++refused;
   }
@@ -43,14 +43,14 @@ TEST_F(EditorTest, AShortcutThatMakesNoSenseSaysWhyUntilSomethingElseIsDone) {
 }
 
 TEST_F(EditorTest, AStepOrBranchThatIsNotThereIsRefused) {
-  for (int i = 0; i < 3; ++i) editor_.step();
+  for (int i = 0; i < 3; ++i) editor_.run().step();
   editor_.execute({.id = CommandId::go_to_step, .step = 9});
   ASSERT_TRUE(editor_.state().error);
   EXPECT_EQ(editor_.state().error->where, "step 9 of branch 0");
   EXPECT_EQ(editor_.state().error->remedy, "there is step 0 to 3");
   editor_.execute({.id = CommandId::go_to_branch, .step = 2, .branch = 7});
   EXPECT_EQ(editor_.state().error->where, "branch 7");
-  EXPECT_EQ(editor_.frame().step, 3);
+  EXPECT_EQ(editor_.run().frame().step, 3);
 }
 
 TEST(RefusedCommand, ADialogGivenItsFileInAScriptIsNoDialog) {

@@ -163,13 +163,13 @@ class SceneBrowsing : public EditorTest {
  protected:
   SceneBrowsing() {
     folder_of_two();
-    editor_.open(small_wall_file());
+    editor_.builder().open(small_wall_file());
     draw(2);
   }
 };
 
 TEST_F(SceneBrowsing, ShowsScenesBesideTheOpenOneAndThenTheirPictures) {
-  editor_.show_thumbnails(source());
+  editor_.scenes().show_thumbnails(source());
   press_key('O', true, true);
   draw(6);
   EXPECT_EQ(value("scenes/small_wall"), "small wall");
@@ -184,7 +184,7 @@ TEST_F(SceneBrowsing, EditsAreAskedForBeforeAnotherSceneIsOpened) {
   Scene other = small_wall();
   other.name = "other";
   write_scene(other, test_folder() / "other.json");
-  editor_.open(small_wall_file());
+  editor_.builder().open(small_wall_file());
   wait_for_work();
   choose_material("concrete");
   press_key('O', true, true);
@@ -194,7 +194,7 @@ TEST_F(SceneBrowsing, EditsAreAskedForBeforeAnotherSceneIsOpened) {
   draw(3);
   click("unsaved/discard");
   draw(2);
-  EXPECT_EQ(editor_.scene().name, "other");
+  EXPECT_EQ(editor_.document().scene().name, "other");
 }
 
 TEST(ThumbnailCommand, DrawsAPictureOfTheSceneAfterItCracked) {

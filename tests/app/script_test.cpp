@@ -97,7 +97,7 @@ class ScriptPlayerTest : public EditorTest {
     while (!player.done() || !queue_.empty() || !editor_.state().work.empty()) {
       player.advance(editor_, queue_);
       queue_.play(ImGui::GetIO());
-      editor_.advance(1.0 / 60);
+      editor_.run().advance(1.0 / 60);
       draw();
     }
   }
@@ -113,10 +113,10 @@ TEST_F(ScriptPlayerTest, DoesWhatHandsDo) {
       "click command/simulation.reset\nexpect toolbar/step \"step 0\"\n"
       "type material/young_modulus \"20 GPa\"\nkey N\nexpect toolbar/step \"step 1\"\n"
       "click menu/Edit\nclick menu/edit.undo\n");
-  EXPECT_EQ(editor_.frame().step, 1);
-  EXPECT_NE(editor_.frame().materials[0].young_modulus, 20e9) << "undone by the menu";
+  EXPECT_EQ(editor_.run().frame().step, 1);
+  EXPECT_NE(editor_.run().frame().materials[0].young_modulus, 20e9) << "undone by the menu";
   play_script("key Ctrl+Shift+Z\n");
-  EXPECT_EQ(editor_.frame().materials[0].young_modulus, 20e9);
+  EXPECT_EQ(editor_.run().frame().materials[0].young_modulus, 20e9);
 }
 
 TEST_F(ScriptPlayerTest, AGlassTableIsBuiltByHandBrokenAndExplained) {
@@ -124,12 +124,12 @@ TEST_F(ScriptPlayerTest, AGlassTableIsBuiltByHandBrokenAndExplained) {
   const std::string new_scene = "command file.new\n";
   script.insert(script.find(new_scene) + new_scene.size(), "set view/quality draft\n");
   play_script(script);
-  const Scene& scene = editor_.scene();
+  const Scene& scene = editor_.document().scene();
   ASSERT_EQ(scene.bodies.size(), 6u);
   EXPECT_EQ(scene.bodies[4].position, Vec3(0.35, 0.3, 0.35));
   EXPECT_EQ(scene.bodies[5].material, *find_material_preset("brick"));
-  EXPECT_LE(editor_.frame().energy.stored(), 1.01 * editor_.frame().energy.put_in());
-  EXPECT_GT(editor_.frame().fragments, 0);
+  EXPECT_LE(editor_.run().frame().energy.stored(), 1.01 * editor_.run().frame().energy.put_in());
+  EXPECT_GT(editor_.run().frame().fragments, 0);
   EXPECT_FALSE(editor_.state().error.has_value());
 }
 
@@ -314,7 +314,7 @@ class RandomActions : public EditorTest {
       case 3:
         return type_anything();
       case 4:
-        editor_.advance(1.0 / 60);
+        editor_.run().advance(1.0 / 60);
         return draw();
       default:
         return click_anywhere();
@@ -324,7 +324,7 @@ class RandomActions : public EditorTest {
   /// Keeps the work of a step small.
   void tidy_up() {
     editor_.state().work.empty() ? void() : wait_for_work();
-    if (editor_.frame().elements.tets.size() > 4000) editor_.open(small_wall_file());
+    if (editor_.run().frame().elements.tets.size() > 4000) editor_.builder().open(small_wall_file());
   }
 
   std::mt19937 random_;
@@ -336,13 +336,14 @@ TEST_F(RandomActions, LeaveAnEditorThatWorks) {
     act();
     tidy_up();
     ASSERT_FALSE(editor_.tags().empty());
-    for (const Vec3& position : editor_.frame().nodes.positions) ASSERT_TRUE(position.allFinite()) << "action " << i;
-    ASSERT_TRUE(check_scene_text(scene_to_json(editor_.scene()), "scene").empty()) << "action " << i;
+    for (const Vec3& position : editor_.run().frame().nodes.positions)
+      ASSERT_TRUE(position.allFinite()) << "action " << i;
+    ASSERT_TRUE(check_scene_text(scene_to_json(editor_.document().scene()), "scene").empty()) << "action " << i;
     check_files();
   }
   editor_.execute({.id = ui::CommandId::new_scene, .discard_edits = true});
   draw(2);
-  EXPECT_EQ(editor_.frame().step, 0);
+  EXPECT_EQ(editor_.run().frame().step, 0);
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ class RestOnScreen : public EditorTest {
 
 TEST_F(RestOnScreen, RoundingNoiseIsShownAsNoEnergy) {
   for (int i = 0; i < 3; ++i) {
-    editor_.step();
+    editor_.run().step();
     draw();
     EXPECT_NE(value("value/Elastic"), "0 J") << "it carries its weight";
     EXPECT_EQ(value("value/Kinetic"), "0 J");
@@ -161,7 +161,7 @@ class SentencesOnScreen : public EditorTest {
   }
   void run_until_stopped() {
     editor_.state().running = true;
-    for (int i = 0; i < 200 && editor_.state().running; ++i) editor_.advance(0.02);
+    for (int i = 0; i < 200 && editor_.state().running; ++i) editor_.run().advance(0.02);
     draw(2);
   }
   void expect_agreement() {
@@ -182,7 +182,7 @@ class SentencesOnScreen : public EditorTest {
       EXPECT_THAT(verdict, HasSubstr(percent(std::stod(value("value/Utilization")))));
     }
   }
-  std::int64_t step() const { return editor_.frame().step; }
+  std::int64_t step() const { return editor_.run().frame().step; }
 };
 
 TEST_F(SentencesOnScreen, AgreeBeforeEachCrackAndAfterIt) {
@@ -192,17 +192,17 @@ TEST_F(SentencesOnScreen, AgreeBeforeEachCrackAndAfterIt) {
     EXPECT_THAT(value("inspector/verdict"), HasSubstr("Cracks in the next step"));
     const std::string node = value("value/Node");
     for (const ui::ComingCrack& crack : editor_.state().stop->cracks) {
-      editor_.select_node(crack.node);
+      select_node(editor_.state(), editor_.run().frame(), crack.node);
       draw(2);
       EXPECT_THAT(value("inspector/verdict"), HasSubstr("Cracks in the next step"));
     }
     for (int i = 0; i < 100; i += 30) {
-      editor_.select_node(NodeId(i));
+      select_node(editor_.state(), editor_.run().frame(), NodeId(i));
       draw(2);
       expect_agreement();
     }
-    editor_.select_node(NodeId(std::stoi(node)));
-    editor_.step();
+    select_node(editor_.state(), editor_.run().frame(), NodeId(std::stoi(node)));
+    editor_.run().step();
     draw(2);
     expect_agreement();
     EXPECT_THAT(value("inspector/verdict"), HasSubstr("Broke at"));
@@ -225,7 +225,7 @@ TEST_F(SentencesOnScreen, WhatWasSaidOfAStateIsNotSaidOfAnother) {
   editor_.execute({.id = CommandId::fire});  // another branch begins
   editor_.state().breakpoints = {};
   for (int i = 0; i < 3; ++i) {
-    editor_.step();
+    editor_.run().step();
     draw(2);
     expect_agreement();
   }
@@ -235,11 +235,11 @@ TEST_F(SentencesOnScreen, WhatWasSaidOfAStateIsNotSaidOfAnother) {
 }
 
 TEST_F(SentencesOnScreen, AMessageOfTheStateGoesWithItAndOthersStay) {
-  editor_.log(ui::LogLevel::info, "Saved wall.json");
+  log_message(editor_.state(), ui::LogLevel::info, "Saved wall.json");
   editor_.execute({.id = CommandId::fire});
   draw();
   EXPECT_THAT(value("status/message"), HasSubstr("Press Space to run"));
-  editor_.step();
+  editor_.run().step();
   draw();
   EXPECT_EQ(value("status/message"), "Saved wall.json");
   EXPECT_EQ(editor_.state().log.back().text.substr(0, 6), "Fired.") << "the log keeps all";

@@ -44,13 +44,13 @@ BENCHMARK(copy_world)->Unit(benchmark::kMillisecond);
 void follow_step(benchmark::State& state) {
   const render::EglContext context(std::nullopt);
   Editor editor(swaying_wall(), "");
-  editor.step_in_background();
+  editor.run().step_in_background();
   editor.state().running = true;
   for (auto _ : state) {
-    const std::int64_t step = editor.frame().step;
-    while (editor.frame().step == step) {
+    const std::int64_t step = editor.run().frame().step;
+    while (editor.run().frame().step == step) {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      editor.advance(1.0 / 60);
+      editor.run().advance(1.0 / 60);
     }
   }
 }
@@ -110,7 +110,7 @@ void panels(benchmark::State& state) {
   Editor editor(swaying_wall(), "");
   for (auto _ : state) {
     state.PauseTiming();
-    editor.step();
+    editor.run().step();
     editor.draw_picture(1);
     imgui.begin_frame(kWidth, kHeight);
     state.ResumeTiming();

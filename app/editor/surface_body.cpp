@@ -1,12 +1,13 @@
-#include <algorithm>
-#include <cstdio>
+#include "app/editor/surface_body.h"
 
-#include "app/editor/editor.h"
+#include <cstdio>
+#include <utility>
+
 #include "app/editor/new_body.h"
 #include "app/picture/placed_tets.h"
-#include "app/shared/scene_world.h"
 #include "sim/meshing/mesh_quality.h"
 #include "sim/meshing/surface.h"
+#include "ui/model/scene_entry.h"
 
 namespace griffith::app {
 namespace {
@@ -57,33 +58,28 @@ std::vector<std::string> facts_of(const MeshQuality& quality) {
 
 }  // namespace
 
-void Editor::add_surface() {
-  state_.running = false;
-  const double room = 0.1;
-  auto make_scene = [scene = history_.scene(), shape = shape_of(state_.surface),
-                     free_x = free_place(history_.scene(), world().frame(), room)](const Monitor& monitor) mutable {
+std::function<Scene(const Monitor&)> scene_with_surface(const ui::SurfaceRequest& request, Scene scene,
+                                                        const Frame& frame) {
+  constexpr double kRoom = 0.1;
+  const double free_x = free_place(scene, frame, kRoom);
+  return [scene = std::move(scene), shape = shape_of(request), free_x](const Monitor& monitor) {
     if (monitor.stage) monitor.stage("Reading the surface");
     BodyDescription body = standing_body(shape, scene, free_x, monitor);
     make_relative(body, scene.folder);
-    scene.bodies.push_back(std::move(body));
-    return scene;
+    Scene extended = scene;
+    extended.bodies.push_back(std::move(body));
+    return extended;
   };
-  loader_.start(LoadReason::add_body, std::move(make_scene), path_, max_tets());
 }
 
-void Editor::report_surface() {
-  const int index = state_.selected_body;
-  const MeshQuality quality = mesh_quality(placed_tets(world().frame(), index).soup);
-  ui::WorkReport report{"Added the body \"" + history_.scene().bodies[static_cast<std::size_t>(index)].name + "\"",
-                        facts_of(quality),
+ui::WorkReport surface_report(const World& world, const Scene& scene, int body) {
+  ui::WorkReport report{"Added the body \"" + scene.bodies[static_cast<std::size_t>(body)].name + "\"",
+                        facts_of(mesh_quality(placed_tets(world.frame(), body).soup)),
                         {}};
-  const std::string place = "#/bodies/" + std::to_string(index) + "/";
-  for (const InputError& finding : world().findings())
+  const std::string place = "#/bodies/" + std::to_string(body) + "/";
+  for (const InputError& finding : world.findings())
     if (finding.where().starts_with(place)) report.warnings.push_back(finding.problem());
-  log(ui::LogLevel::info, report.title + ": " + report.facts.front());
-  for (const std::string& warning : report.warnings) log(ui::LogLevel::warning, warning);
-  state_.report = std::move(report);
-  frame_all();
+  return report;
 }
 
 }  // namespace griffith::app

@@ -1,0 +1,246 @@
+#include "app/editor/run_controller.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/editor/breakpoints.h"
+#include "app/editor/messages.h"
+#include "app/editor/picking.h"
+#include "app/shared/scene_world.h"
+
+namespace griffith::app {
+namespace {
+
+/// Returns the time of a frame for steps before they continue in the background.
+std::chrono::duration<double> time_for_steps(double elapsed) {
+  constexpr double kShortest = 0.004, kLongest = 0.04;  // [s]
+  return std::chrono::duration<double>(std::clamp(elapsed / 2, kShortest, kLongest));
+}
+
+}  // namespace
+
+RunController::RunController(ui::EditorState& state, SceneDocument& document, Viewport& viewport, BuiltWorld built)
+    : state_(state), document_(document), viewport_(viewport), timeline_(std::move(built.world)) {
+  begin(std::move(built));
+}
+
+void RunController::restart(BuiltWorld built) {
+  timeline_ = Timeline(std::move(built.world));
+  begin(std::move(built));
+}
+
+void RunController::begin(BuiltWorld built) {
+  built_ = document_.scene();
+  built_at_ = built.started;
+  warnings_ = std::move(built.warnings);
+  ++world_count_;
+  travel_.reset();
+  state_.comparison.branch.reset();
+  utilizations_.clear();
+  run_history_.restart(frame());
+  pace_ = {};
+  leave_state();
+  remember();
+  viewport_.begin(std::move(built.display));
+  viewport_.update(shown());
+}
+
+WorldVersion RunController::version() const {
+  return {world_count_, timeline_.revision(), document_.history().revision(), arrivals_};
+}
+
+void RunController::remember() {
+  const Frame now = frame();
+  utilizations_.record(now);
+  run_history_.record(timeline_);
+  select(state_, now, ui::follow(state_.selection, now));
+}
+
+void RunController::leave_state() {
+  state_.stop.reset();
+  state_.log_passed = state_.log.size();
+  passes_stop_ = false;
+}
+
+void RunController::toggle() {
+  state_.running = !state_.running;
+  state_.steps_left = 0;
+  pace_.restart();
+}
+
+void RunController::make_steps(std::int64_t count) {
+  state_.running = count > 0;
+  state_.steps_left = count;
+  pace_.restart();
+}
+
+void RunController::step_once() {
+  state_.running = false;
+  step();
+}
+
+void RunController::advance(double elapsed) {
+  pace_.add_picture(elapsed);
+  if (!state_.running) state_.steps_left = 0;
+  if (state_.running) make_due_steps(elapsed);
+}
+
+void RunController::make_due_steps(double elapsed) {
+  using Clock = BackgroundStep::Clock;
+  const double time_step = document_.scene().simulation.time_step;
+  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(time_for_steps(elapsed));
+  if (background_.pending() && !end_background_step(Clock::now()))
+    return pace_.pacer().wait(elapsed, state_.speed, time_step);
+  const bool counted = state_.steps_left > 0;
+  const int steps =
+      counted ? ui::kMaxAskedSteps : pace_.pacer().steps_due(elapsed, state_.speed, time_step, pace_.step_seconds());
+  for (int i = 0; i < steps && state_.running && (!counted || i == 0 || Clock::now() < deadline); ++i) {
+    if (waits_for_steps_) {
+      step();
+      continue;
+    }
+    const auto step_end = Clock::now() + std::chrono::duration<double>(pace_.step_seconds());
+    begin_background_step(i + 1 == steps || step_end >= deadline);
+    if (!end_background_step(deadline)) return;
+  }
+}
+
+void RunController::begin_background_step(bool is_last) {
+  if (document_.history().editing()) follow_materials();  // a slider being dragged acts from step to step
+  NextStep next = timeline_.before_step();
+  adopt_materials();  // those of the replayed past
+  std::optional<StepPicture> picture;
+  if (is_last) picture = viewport_.next_picture(built_);
+  background_.begin(std::move(next), std::move(picture), step_start());
+}
+
+bool RunController::end_background_step(BackgroundStep::Clock::time_point deadline) {
+  if (!background_.wait_until(deadline)) return false;
+  const bool fits = background_.fits(step_start());
+  BackgroundStep::Made made = background_.take();
+  if (fits) take_step(std::move(made));
+  return true;
+}
+
+void RunController::step() {
+  if (background_.fits(step_start())) return take_step(background_.take());
+  std::optional<World> before;
+  timeline_.advance(watches() ? &before : nullptr);
+  follow_step(std::move(before), std::nullopt);
+}
+
+void RunController::take_step(BackgroundStep::Made made) {
+  const std::int64_t step_alone = timeline_.revision() + 1;
+  World before = timeline_.take_step(std::move(made.step));
+  if (timeline_.revision() != step_alone) made.picture.reset();  // in the past more than the step was done
+  follow_step(watches() ? std::optional(std::move(before)) : std::nullopt, std::move(made.picture));
+}
+
+void RunController::follow_step(std::optional<World> before, std::optional<StepPicture> picture) {
+  if (before && stop_before_step(std::move(*before))) return;
+  if (state_.steps_left > 0 && --state_.steps_left == 0) state_.running = false;
+  leave_state();
+  adopt_materials();
+  remember();
+  viewport_.follow_step(shown(), std::move(picture));
+  const StepReport& report = frame().report;
+  pace_.add_step(document_.scene().simulation.time_step, report.milliseconds.step / 1000);
+  if (report.non_finite_values > 0)
+    log_message(
+        state_, ui::LogLevel::error,
+        "Step " + std::to_string(frame().step) + ": values not finite or substeps too short; bodies were frozen.");
+}
+
+bool RunController::stop_before_step(World before) {
+  std::optional<ui::Stop> stop =
+      met_breakpoint(state_.breakpoints, before.frame(), frame(), state_.selected_body, state_.selection);
+  if (!stop) return false;
+  timeline_.take_back(std::move(before));
+  arrive();
+  state_.running = false;
+  passes_stop_ = true;
+  if (stop->node.valid()) select_node(state_, frame(), stop->node);
+  log_message(state_, ui::LogLevel::warning, "Stopped at " + moment_text() + ". " + stop->reason, ui::LogSpan::state);
+  state_.stop = std::move(stop);
+  return true;
+}
+
+void RunController::fire(ProjectileBurst shot) {
+  timeline_.fire(shot);
+  leave_state();
+  shot.start = frame().time;
+  state_.last_shot = shot;
+  if (!state_.running)
+    log_message(state_, ui::LogLevel::info, "Fired. Press Space to run the simulation.", ui::LogSpan::action);
+}
+
+void RunController::follow_materials() {
+  const std::vector<BodyDescription>& bodies = document_.scene().bodies;
+  const Frame now = frame();
+  if (!std::ranges::equal(bodies, built_.bodies, {}, &BodyDescription::name, &BodyDescription::name) ||
+      now.materials.size() != bodies.size())
+    return;  // they come with the world being built
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (now.materials[i] != bodies[i].material && !follow_material(static_cast<int>(i))) return;
+    built_.bodies[i].material = bodies[i].material;
+  }
+}
+
+bool RunController::follow_material(int scene_body) {
+  try {
+    timeline_.set_material(scene_body, document_.scene().bodies[scene_body].material);
+    viewport_.restart_range();
+    leave_state();
+    return true;
+  } catch (const InputError& error) {
+    show_error(state_, in_file(document_.path(), error));
+    const std::span<const Material> in_force = frame().materials;
+    const bool found = document_.history().go_to(
+        [&](const Scene& scene) { return std::ranges::equal(scene.bodies, in_force, {}, &BodyDescription::material); });
+    if (!found) document_.history().undo();  // some bodies accepted the material before one refused it
+    return false;
+  }
+}
+
+void RunController::adopt_materials() {
+  const std::span<const Material> in_force = frame().materials;
+  const std::vector<BodyDescription>& bodies = document_.scene().bodies;
+  if (document_.history().editing() || in_force.size() != bodies.size() ||
+      std::ranges::equal(bodies, in_force, {}, &BodyDescription::material))
+    return;
+  document_.history().adopt([&](Scene& scene) {
+    for (std::size_t i = 0; i < in_force.size(); ++i) scene.bodies[i].material = in_force[i];
+  });
+  for (std::size_t i = 0; i < in_force.size(); ++i) built_.bodies[i].material = in_force[i];
+}
+
+std::vector<ui::UtilizationSample> RunController::utilizations() const {
+  if (!state_.selection.valid()) return {};
+  return utilizations_.samples(frame(), state_.selection.node);
+}
+
+void RunController::describe(ui::EditorInput& input) const {
+  input.time = time_view();
+  input.series = run_history_.series();
+  input.time_step = document_.scene().simulation.time_step;
+  input.step_milliseconds = 1000 * pace_.step_seconds();
+  input.step_in_progress = background_.age();
+  input.frames_per_second = pace_.pictures_per_second();
+  input.reached_speed = pace_.reached_speed();
+  input.falling_behind = pace_.falling_behind();
+}
+
+ui::TimeView RunController::time_view() const {
+  ui::TimeView view;
+  view.first_step = timeline_.first_step();
+  view.last_step = timeline_.last_step();
+  view.time_step = built_.simulation.time_step;
+  view.branch = timeline_.branch();
+  for (const Branch& branch : timeline_.branches())
+    view.branches.push_back({branch.parent, branch.first_step, branch.last_step});
+  for (const StepMark& mark : timeline_.marks())
+    view.ticks.push_back({mark.step, mark.cracks, mark.impacts, mark.alarm});
+  return view;
+}
+
+}  // namespace griffith::app

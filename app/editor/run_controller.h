@@ -1,0 +1,128 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/editor/background_step.h"
+#include "app/editor/run_history.h"
+#include "app/editor/run_pace.h"
+#include "app/editor/scene_document.h"
+#include "app/editor/utilization_history.h"
+#include "app/editor/viewport.h"
+#include "app/editor/world_loader.h"
+#include "sim/timeline/timeline.h"
+
+namespace griffith::app {
+
+/// The world with its past: makes steps at the requested pace, stops them at breakpoints, goes to recorded ones.
+/// Materials of the edited scene act at once; those in force at another time become the scene's.
+class RunController {
+ public:
+  /// `built`: world of the document's scene.
+  RunController(ui::EditorState& state, SceneDocument& document, Viewport& viewport, BuiltWorld built);
+  /// Replaces the world by another of the document's scene.
+  void restart(BuiltWorld built);
+
+  const Timeline& timeline() const { return timeline_; }
+  const World& world() const { return timeline_.world(); }
+  Frame frame() const { return world().frame(); }
+  /// Returns the scene from which the world was built, with its current materials.
+  const Scene& built() const { return built_; }
+  /// Returns the time before any file of that scene was read.
+  std::filesystem::file_time_type built_at() const { return built_at_; }
+  /// Returns the warnings of that scene.
+  const std::vector<InputError>& warnings() const { return warnings_; }
+  ShownWorld shown() const { return {frame(), built_, version()}; }
+
+  /// Runs or pauses.
+  void toggle();
+  /// Runs until that many steps are made.
+  void make_steps(std::int64_t count);
+  /// Pauses and makes one step.
+  void step_once();
+  /// Makes one time step.
+  void step();
+  /// Makes the time steps that are due after `elapsed` [s] of real time, if the simulation runs.
+  void advance(double elapsed);
+  /// Lets advance() finish slow steps in the background while the window draws. This affects which steps are shown, but
+  /// no step itself.
+  void step_in_background() { waits_for_steps_ = false; }
+  /// True if a step is in progress in the background.
+  bool steps_in_background() const { return background_.pending(); }
+  void fire(ProjectileBurst shot);
+  /// Applies the scene's materials. A material that the world does not accept is undone, with an error.
+  void follow_materials();
+
+  /// Pauses and goes to a recorded step. Throws InputError if there is none. A long way is continued by
+  /// continue_travel().
+  void go_to(int branch, std::int64_t step);
+  /// The same on the shown branch, to the nearest recorded step.
+  void go_to_nearest(std::int64_t step);
+  /// Recomputes past steps toward the requested one, for at most that many seconds.
+  void continue_travel(double seconds);
+  /// Describes the way that is left; empty if there is none.
+  std::string travel_stage() const;
+  /// Sets the approximate limit for copies of the world [bytes].
+  void limit_memory(std::size_t memory) { timeline_.limit_memory(memory); }
+
+  /// Returns the recorded values of all steps.
+  const RunHistory& history() const { return run_history_; }
+  /// Returns the past of the selected node.
+  std::vector<ui::UtilizationSample> utilizations() const;
+  /// Adds the past and the measured speeds to the input of the panels.
+  void describe(ui::EditorInput& input) const;
+  ui::TimeView time_view() const;
+
+ private:
+  void begin(BuiltWorld built);
+  WorldVersion version() const;
+  void remember();
+  /// Clears the stop and the messages of the shown state.
+  void leave_state();
+  /// True if the world accepted the material; else the edit is undone.
+  bool follow_material(int scene_body);
+  /// Makes the materials in force those of the scene, without an entry in its history.
+  void adopt_materials();
+
+  void make_due_steps(double elapsed);
+  /// `is_last`: last step before the next picture, which is made with it.
+  void begin_background_step(bool is_last);
+  /// Waits for the background step. True if it is finished by then. It is discarded if the world has changed meanwhile.
+  bool end_background_step(BackgroundStep::Clock::time_point deadline);
+  /// Returns the starting point of a background step.
+  BackgroundStep::Start step_start() const { return {world_count_, timeline_.revision()}; }
+  void take_step(BackgroundStep::Made made);
+  /// Handles a finished step. `before`: the world before it, if breakpoints are set. `picture`: of the world, if any.
+  void follow_step(std::optional<World> before, std::optional<StepPicture> picture);
+  bool watches() const { return state_.breakpoints.any() && !passes_stop_; }
+  /// True if a breakpoint lies in the step just made from `before`; the step is then undone.
+  bool stop_before_step(World before);
+
+  void approach(int branch, std::int64_t step);
+  /// Updates everything after a jump in time.
+  void arrive();
+  /// Describes the shown step: "step 31", with its branch if there are several.
+  std::string moment_text() const;
+
+  ui::EditorState& state_;
+  SceneDocument& document_;
+  Viewport& viewport_;
+  Timeline timeline_;
+  Scene built_;
+  std::filesystem::file_time_type built_at_;
+  std::vector<InputError> warnings_;
+  std::int64_t world_count_ = 0;        ///< number of worlds shown so far
+  std::int64_t arrivals_ = 0;           ///< number of jumps to another time
+  std::optional<ui::StepSpan> travel_;  ///< past steps being recomputed, from the first to the last
+  RunHistory run_history_;
+  UtilizationHistory utilizations_;
+  RunPace pace_;
+  BackgroundStep background_;
+  bool waits_for_steps_ = true;
+  bool passes_stop_ = false;  ///< makes the next step despite its breakpoint
+};
+
+}  // namespace griffith::app
