@@ -45,7 +45,7 @@ Vec3 out_of(const Corners& tet, const std::array<int, 3>& corners) {
 
 /// Smallest cosines of the angle between a plane and an open face that counts as part of a crack along it, and by
 /// which the sides of the tets beside it follow.
-constexpr double kSameCrack = 0.5, kSamePlane = 0.8;
+constexpr double kSameCrack = 0.3, kSamePlane = 0.8;
 
 /// Returns 1 if the first side of an open face is the lower one, seen along a plane's normal, and -1 if it is the upper
 /// one; 0 if the face is steeper against the plane than `least_cosine`.
@@ -84,12 +84,20 @@ Vec3 linked_area(const TetMesh& mesh, NodeId node, std::span<const std::uint8_t>
   return area;
 }
 
-/// As sides_of_crack(), with the open faces at the node.
-std::vector<std::uint8_t> sides_along(const TetMesh& mesh, NodeId node, std::span<const Corners> star,
-                                      const Vec3& normal, std::span<const OpenFace> faces) {
-  const Vec3 place = star[0].col(local_corner(mesh, mesh.stars[node][0], node));
+/// Returns the sides of the plane through `place`, by centroids.
+std::vector<std::uint8_t> sides_of_plane(std::span<const Corners> star, const Vec3& normal, const Vec3& place) {
   std::vector<std::uint8_t> above;
   for (const Corners& tet : star) above.push_back(normal.dot(tet.rowwise().mean() - place) > 0);
+  return above;
+}
+
+/// As sides_of_crack(), with the open faces at the node.
+std::vector<std::uint8_t> sides_along(const TetMesh& mesh, NodeId node, std::span<const Corners> star,
+                                      const Vec3& normal, const Vec3& offset, std::span<const OpenFace> faces) {
+  const Vec3 place = star[0].col(local_corner(mesh, mesh.stars[node][0], node));
+  std::vector<std::uint8_t> above = sides_of_plane(star, normal, place + offset);
+  if (std::ranges::adjacent_find(above, std::ranges::not_equal_to()) == above.end())
+    above = sides_of_plane(star, normal, place);
   for (const OpenFace& face : faces) {
     const auto first = index_in(mesh.stars[node], face.first), second = index_in(mesh.stars[node], face.second);
     const int side = side_of(star[first], face, normal, kSamePlane);
@@ -120,8 +128,8 @@ Vec3 third_of_face(const TetMesh& mesh, TetId tet, const std::array<int, 3>& cor
 }
 
 std::vector<std::uint8_t> sides_of_crack(const TetMesh& mesh, NodeId node, std::span<const Corners> star,
-                                         const Vec3& normal) {
-  return sides_along(mesh, node, star, normal, open_faces_at(mesh, std::span(&node, 1)));
+                                         const Vec3& normal, const Vec3& offset) {
+  return sides_along(mesh, node, star, normal, offset, open_faces_at(mesh, std::span(&node, 1)));
 }
 
 Vec3 corner_force(const RestElement& rest, const ElementState& state, int corner) {
@@ -130,11 +138,11 @@ Vec3 corner_force(const RestElement& rest, const ElementState& state, int corner
 }
 
 double energy_release_rate(const TetMesh& mesh, NodeId node, std::span<const Corners> star,
-                           std::span<const Vec3> forces, const Vec3& normal) {
+                           std::span<const Vec3> forces, const Vec3& normal, const Vec3& offset) {
   const std::vector<TetId>& tets = mesh.stars[node];
   const std::vector<OpenFace> faces = open_faces_at(mesh, std::span(&node, 1));
   if (faces.empty()) return 0;
-  const std::vector<std::uint8_t> above = sides_along(mesh, node, star, normal, faces);
+  const std::vector<std::uint8_t> above = sides_along(mesh, node, star, normal, offset, faces);
   Vec3 area = linked_area(mesh, node, above), opening = Vec3::Zero();
   double weight = 0;
   for (const OpenFace& face : faces) {

@@ -27,9 +27,11 @@ Vec3 third_of_face(const TetMesh& mesh, TetId tet, const std::array<int, 3>& cor
 /// Returns for each tet of a node's star whether it lies on the side of the plane to which `normal` points (1) or not
 /// (0): by its centroid; beside open faces, by the side of the crack that it belongs to, so that the crack goes on from
 /// these faces.
-///   star  corners of the star's tets as they are now [m]
+///   star    corners of the star's tets as they are now [m]
+///   offset  from the node to a point of the crack's path [m]: the plane goes through that point unless the star lies
+///           on one side of it. A mesh has no faces along most paths; without offsets the crack would follow its edges.
 std::vector<std::uint8_t> sides_of_crack(const TetMesh& mesh, NodeId node, std::span<const Corners> star,
-                                         const Vec3& normal);
+                                         const Vec3& normal, const Vec3& offset = Vec3::Zero());
 
 /// Returns the force of an element on a corner [N]; `state`: of the whole element, also of a quadratic one.
 Vec3 corner_force(const RestElement& rest, const ElementState& state, int corner);
@@ -43,7 +45,8 @@ Vec3 corner_force(const RestElement& rest, const ElementState& state, int corner
 /// 0 without such faces, or if the crack is pressed together.
 ///   star    corners of the star's tets as they are now [m]
 ///   forces  of these tets on the node [N]
+///   offset  as in sides_of_crack() [m]
 double energy_release_rate(const TetMesh& mesh, NodeId node, std::span<const Corners> star,
-                           std::span<const Vec3> forces, const Vec3& normal);
+                           std::span<const Vec3> forces, const Vec3& normal, const Vec3& offset = Vec3::Zero());
 
 }  // namespace griffith

@@ -80,7 +80,10 @@ std::uint64_t hash_of_separations(const WorldState& world) {
 
 std::uint64_t hash_of_cracks(const WorldState& world) {
   FieldHash hash;
-  hash.add(*world.elements.opened).add(world.mesh->neighbors).add(world.nodes.at_crack_front);
+  hash.add(*world.elements.opened)
+      .add(world.mesh->neighbors)
+      .add(world.nodes.at_crack_front)
+      .add(world.nodes.path_offsets);
   static_assert(sizeof(OverloadHistory) == 3 * sizeof(double), "it has no padding");
   hash.add(world.nodes.pushed_at).add(world.nodes.overloads).add_real(world.overload_check);
   hash.add(world.splinter_state.open_walls).add(world.splinter_state.attached);

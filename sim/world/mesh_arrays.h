@@ -30,6 +30,7 @@ struct NodeArrays {
   std::vector<NodeConstraint> constraints;   ///< constraints by supports
   std::vector<std::uint8_t> has_support;     ///< 1 where a support acts on the node
   std::vector<std::uint8_t> at_crack_front;  ///< 1 where cut faces end
+  std::vector<Vec3> path_offsets;            ///< from a node at a crack front to the crack's path, at rest [m]
   std::vector<double> strength_factors;      ///< factors of flaws on the strength [-]; 1 without scatter
   std::vector<int> rows;                     ///< row in the system of the node's body, -1 for held ones
   std::vector<NodeSeparation> separations;
@@ -52,8 +53,8 @@ struct NodeArrays {
   static void each_array(Arrays&& all, Use use) {
     const Vec3 zero = Vec3::Zero();
     use(all.positions, zero), use(all.velocities, zero), use(all.masses, 0.0), use(all.constraints, NodeConstraint());
-    use(all.has_support, std::uint8_t{0}), use(all.at_crack_front, std::uint8_t{0}), use(all.strength_factors, 1.0),
-        use(all.rows, -1);
+    use(all.has_support, std::uint8_t{0}), use(all.at_crack_front, std::uint8_t{0}), use(all.path_offsets, zero);
+    use(all.strength_factors, 1.0), use(all.rows, -1);
     use(all.separations, NodeSeparation()), use(all.reactions, zero), use(all.similarity_starts, zero);
     use(all.pushed_at, -std::numeric_limits<double>::infinity()), use(all.overloads, OverloadHistory());
   }

@@ -91,7 +91,8 @@ double TrialLoads::energy_release(int index, const Vec3& normal) const {
     forces.push_back(
         corner_force(rest_elements_[slot], states_[slot], local_corner(world_.mesh, parts_.tets[slot.index()], node)));
   }
-  return energy_release_rate(world_.mesh, node, star, forces, normal);
+  const Vec3 offset = states_[stars_[index].front().index()].frame * world_.nodes.path_offsets[node];
+  return energy_release_rate(world_.mesh, node, star, forces, normal, offset);
 }
 
 Corners TrialLoads::corners(int slot) const {

@@ -51,6 +51,7 @@ void append_copy(WorldState& world, const NodeCopy& copy) {
   nodes.append_copy(copy.original);
   for (const NodeId node : {copy.original, copy.copy}) nodes.masses[node] = node_mass(world, node);
   nodes.at_crack_front[copy.original] = 0;
+  for (const NodeId node : {copy.original, copy.copy}) nodes.path_offsets[node].setZero();
   nodes.separations[copy.original] = {};
 }
 
@@ -99,7 +100,7 @@ std::vector<std::uint8_t> sides_at(const WorldState& world, NodeId node) {
   if (world.nodes.at_crack_front[node] == 0) return tets_above(world.mesh, world.nodes.positions, node, normal);
   std::vector<Corners> star;
   for (const TetId tet : world.mesh->stars[node]) star.push_back(corners_of(world.mesh, tet, world.nodes.positions));
-  return sides_of_crack(world.mesh, node, star, normal);
+  return sides_of_crack(world.mesh, node, star, normal, path_offset_at(world, node));
 }
 
 /// Returns the event of a crack. `above`: per tet of the node.
@@ -123,6 +124,22 @@ CrackEvent describe(const WorldState& world, NodeId node, const std::vector<std:
   for (std::size_t i = 0; i < star.size(); ++i)
     event.elements.push_back({star[i], above[i] != 0, split_force(input, star[i], node)});
   return event;
+}
+
+/// Returns the unit normal of a plane at a node in rest space.
+Vec3 normal_at_rest(const WorldState& world, NodeId node, const Vec3& normal) {
+  const Mat3& frame = world.elements.states[world.mesh->stars[node].front()].frame;
+  return (frame.transpose() * normal).normalized();
+}
+
+/// Takes nodes at the front of a crack that has opened across a plane at rest. Its path goes on from that plane.
+void lead_on(WorldState& world, const Vec3& through, const Vec3& normal, std::span<const NodeId> front) {
+  for (const NodeId node : front) {
+    const Vec3 offset = normal.dot(through - world.mesh->rest_positions[node]) * normal;
+    Vec3& known = world.nodes.path_offsets[node];
+    known = world.nodes.at_crack_front[node] != 0 ? Vec3((known + offset) / 2) : offset;
+    world.nodes.at_crack_front[node] = 1;
+  }
 }
 
 /// Records when the faces without a neighbor were opened.
@@ -151,6 +168,8 @@ bool crack(WorldState& world, NodeId node, Opened& opened) {
   const std::vector<std::uint8_t> above =
       is_remeshed(world, body) ? remesh(world, body, node, normal, opened) : sides_at(world, node);
   CrackEvent event = describe(world, node, above);
+  const Vec3 through = world.mesh->rest_positions[node] + world.nodes.path_offsets[node];
+  const Vec3 rest_normal = normal_at_rest(world, node, normal);
   const SplitResult result =
       split_node(world.mesh.edit(), node, above, world.model->scene.simulation.min_fragment_tets);
   world.report.cracks_suppressed += result.too_small;
@@ -158,7 +177,7 @@ bool crack(WorldState& world, NodeId node, Opened& opened) {
   for (const NodeCopy& copy : result.copies) append_copy(world, copy);
   part_edges(world, result.copies, opened.edge_copies);
   opened.copies.insert(opened.copies.end(), result.copies.begin(), result.copies.end());
-  for (NodeId front : result.front) world.nodes.at_crack_front[front] = 1;
+  lead_on(world, through, rest_normal, result.front);
   event.nodes_made = static_cast<int>(result.copies.size());
   event.torn_off =
       result.changed_tets.empty() ? tear_off(world, node, event.normal) : reassign_supports(world, result.copies);

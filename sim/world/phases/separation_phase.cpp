@@ -43,7 +43,7 @@ double energy_release_at(const WorldState& world, NodeId node, const Vec3& norma
   }
   const Body& body = body_at(world, node);
   return (body.explicit_state ? body.explicit_state->similarity : 1) *
-         energy_release_rate(world.mesh, node, star, forces, normal);
+         energy_release_rate(world.mesh, node, star, forces, normal, path_offset_at(world, node));
 }
 
 /// Utilization below which a node is not worth averaging.
@@ -129,6 +129,10 @@ void evaluate_body(WorldState& world, const SeparationInput& input, const Body& 
 }
 
 }  // namespace
+
+Vec3 path_offset_at(const WorldState& world, NodeId node) {
+  return world.elements.states[world.mesh->stars[node].front()].frame * world.nodes.path_offsets[node];
+}
 
 double fracture_energy_at(const WorldState& world, NodeId node, const Vec3& normal) {
   const double fraction = directional_strength_at(world, separation_input(world), node).fraction(normal);

@@ -17,6 +17,8 @@ double peak_utilization(const WorldState& world, const Body& body);
 double element_size_at(const WorldState& world, NodeId node);
 /// Returns screening_resistance() of a node.
 double screening_resistance_at(const WorldState& world, const Material& material, NodeId node);
+/// Returns the way from a node to the path of the crack that ends at it, as it is now [m].
+Vec3 path_offset_at(const WorldState& world, NodeId node);
 /// Returns the energy that a crack across a plane through a node takes, by the weakness of the body [J/m²].
 double fracture_energy_at(const WorldState& world, NodeId node, const Vec3& normal);
 /// Returns the zone over which the tension at a node counts.
