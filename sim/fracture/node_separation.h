@@ -11,7 +11,9 @@ struct NodeSeparation {
   Mat3 tensor = Mat3::Zero();      ///< separation tensor ς, world frame [N]
   double eigenvalue = 0;           ///< its largest eigenvalue v⁺ [N]
   Vec3 direction = Vec3::UnitX();  ///< n̂, its unit eigenvector: normal of the candidate crack plane
-  double stress = 0;               ///< separation stress s [Pa] (strength criterion), averaged over the last substeps
+  /// Separation stress s, or the equivalent tension of materials with a strength surface [Pa] (strength criterion),
+  /// averaged over the last substeps.
+  double stress = 0;
   /// [Pa] or, with the force criterion, [N]. At a crack front where energy decides: the stress at which G is G_c [Pa].
   double resistance = std::numeric_limits<double>::infinity();
   double energy_release = 0;                                         ///< energy release rate G at a crack front [J/m²]

@@ -7,6 +7,7 @@
 #include "sim/core/parallel.h"
 #include "sim/fracture/crack_front.h"
 #include "sim/fracture/resistance.h"
+#include "sim/fracture/strength_surface.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/corners.h"
@@ -77,10 +78,11 @@ void evaluate_fours(WorldState& world, const SeparationInput& input, std::span<c
     std::array<DirectionalStrength, 4> strengths;
     for (std::size_t i = 0; i < 4; ++i)
       strengths[i] = i < four.size() ? directional_strength_at(world, input, four[i]) : strengths[i - 1];
-    const std::array<CandidatePlane, 4> planes = candidate_planes(loads, strengths);
+    std::array<CandidatePlane, 4> planes = candidate_planes(loads, strengths);
     for (std::size_t i = 0; i < four.size(); ++i) {
       NodeSeparation& separation = world.nodes.separations[four[i]];
       separation.tensor = loads[i].tensor;
+      planes[i].stress = separation_load(input, four[i], world.material_of(body_at(world, four[i])), planes[i]);
       take_load(world, four[i], planes[i], strengths[i], averaged, separation);
     }
   }
