@@ -136,7 +136,7 @@ TEST(Sentences, SayThatTheStressStateDecides) {
     block.supports.push_back(
         {.region = HalfSpaceRegion{-0.05 * axis, -axis}, .kind = SupportKind::sliding, .normal = axis});
     block.loads.push_back(
-        {.kind = LoadKind::traction, .region = HalfSpaceRegion{0.05 * axis, axis}, .traction = 20e6 * axis});
+        {.region = HalfSpaceRegion{0.05 * axis, axis}, .kind = LoadKind::traction, .traction = 20e6 * axis});
   }
   scene.bodies = {block};
   for (const bool has_surface : {false, true}) {
