@@ -14,6 +14,7 @@ namespace {
 /// Returns the material with its resistance to fracture multiplied by a factor.
 Material stronger(Material material, double factor) {
   material.tensile_strength *= factor;
+  if (material.compressive_strength) *material.compressive_strength *= factor;
   material.fracture_toughness *= factor;
   material.separation_toughness *= factor;
   return material;

@@ -24,8 +24,10 @@ std::string strength_fact(const CriticalFactor& strength, const Material& materi
     return "Strength: the node holds when the step is repeated, so there is no critical value.";
   if (!strength.found) return "Strength: in the next step it cracks at any strength.";
   return "Strength: in the next step it holds with " + times(strength.holds) + " the strength, " +
-         instead_of(material.tensile_strength, strength.holds, "Pa") + " and " +
-         instead_of(material.fracture_toughness, strength.holds, "Pa·√m") + ".";
+         instead_of(material.tensile_strength, strength.holds, "Pa") +
+         (material.compressive_strength ? ", " + instead_of(*material.compressive_strength, strength.holds, "Pa")
+                                        : "") +
+         " and " + instead_of(material.fracture_toughness, strength.holds, "Pa·√m") + ".";
 }
 
 /// Returns the common speed of all shots of a run; 0 if they differ or bodies have initial velocities.

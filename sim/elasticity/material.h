@@ -34,6 +34,9 @@ struct Material {
   double separation_toughness = 1e6;  ///< τ [N], > 0: only used by FractureCriterion::separation_force
   FractureCriterion criterion = FractureCriterion::strength;
   ElementModel element_model = ElementModel::corotational;
+  /// Compressive strength σ_c [Pa], >= σ_t: the stress state decides, by Drucker and Prager's surface through both
+  /// strengths (equivalent_tension()); absent: the largest tension does (Rankine).
+  std::optional<double> compressive_strength;
   std::optional<double> yield_strength;  ///< von Mises stress at which it yields [Pa], > 0; absent: never
   double plastic_limit = 0.25;           ///< largest norm of the plastic strain γ₂ [-], >= 0
   double friction = 0.6;                 ///< Coulomb's coefficient, >= 0

@@ -113,8 +113,8 @@ inline Lanes third_cosine(Lanes r) {
               t * (broadcast(-0.10666834F) + t * (broadcast(0.03862534F) - t * broadcast(0.00882232F))));
 }
 
-/// Returns the largest eigenvalue of lambda tr(E) I + 2 mu E. With the mean p of E's eigenvalues, they are p + 2 q
-/// cos((arccos(r) + 2πn) / 3).
+/// Returns the largest eigenvalue of lambda tr(E) I + 2 mu E; if the law has a strength surface and it is larger, the
+/// equivalent_tension(). With the mean p of E's eigenvalues, they are p + 2 q cos((arccos(r) + 2πn) / 3).
 inline Lanes largest_stress(const BlockLaw& law, const Symmetric e) {
   const Lanes p = (e[0] + e[1] + e[2]) * broadcast(1.0F / 3);
   const Lanes x = e[0] - p, y = e[1] - p, z = e[2] - p;
@@ -125,7 +125,12 @@ inline Lanes largest_stress(const BlockLaw& law, const Symmetric e) {
   const Lanes determinant =
       x * (y * z - e[4] * e[4]) + e[3] * (e[4] * e[5] - e[3] * z) + e[5] * (e[3] * e[4] - y * e[5]);
   const Lanes r = broadcast(0.5F) * determinant / (square * q);
-  return broadcast(3 * law.lambda + 2 * law.mu) * p + broadcast(4 * law.mu) * q * third_cosine(r);
+  const Lanes mean = broadcast(3 * law.lambda + 2 * law.mu) * p;
+  const Lanes largest = mean + broadcast(4 * law.mu) * q * third_cosine(r);
+  if (law.strength_ratio == 0) return largest;
+  const Lanes equivalent =
+      broadcast(1.5F * (1 - law.strength_ratio)) * mean + broadcast(3 * (1 + law.strength_ratio) * law.mu) * q;
+  return largest > equivalent ? largest : equivalent;
 }
 
 /// Computes (I + A) S for the frame I + A.

@@ -25,6 +25,8 @@ struct BlockLaw {
   ElementModel model = ElementModel::corotational;
   float lambda = 0, mu = 0;  ///< Lamé's constants [Pa]
   float viscosity = 0;       ///< Rayleigh's β over the duration of a microstep [-]
+  /// Tensile over compressive strength of the strength surface [-]; 0: the material has none.
+  float strength_ratio = 0;
 };
 
 /// Work dissipated by a block's viscosity: σ_j : ½ (ε_{j+1} − ε_{j−1}) in microstep j, with the viscous stress σ_j. It
@@ -35,8 +37,9 @@ struct ViscousWork {
 };
 
 /// Computes the forces of eight tets on their corners [N], forces[4·lane + corner], as x, y, z and, in the fourth lane,
-/// the largest principal stress of the tet [Pa], 0 in compression. Corotational strain follows its rotation by one
-/// Newton step of the polar decomposition per call, exact for the small rotations of a microstep.
+/// the largest principal stress of the tet [Pa], 0 in compression, or its equivalent tension if larger. Corotational
+/// strain follows its rotation by one Newton step of the polar decomposition per call, exact for the small rotations of
+/// a microstep.
 ///   displacements  displacements of all nodes from their reference positions [m]; the fourth lane is meaningless
 ///   work           receives that of the preceding call, with the `viscosity` [-]
 void force_elements(const BlockLaw& law, ElementBlock& block, const WideQuad* displacements, Quad* forces,

@@ -99,6 +99,12 @@ void ExplicitBodies::add_body(const ElasticLaw& law, double density, std::span<c
   bodies_.push_back(body);
 }
 
+void ExplicitBodies::set_strength_surface(const Material& material) {
+  bodies_.back().law.strength_ratio =
+      material.compressive_strength ? static_cast<float>(material.tensile_strength / *material.compressive_strength)
+                                    : 0;
+}
+
 void ExplicitBodies::relieve_slivers(const ElasticLaw& law, double density, std::span<const RestElement> rest_elements,
                                      double limit, ExplicitBody& body) {
   constexpr double kRounding = 1e-6;

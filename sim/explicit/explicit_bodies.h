@@ -95,6 +95,8 @@ class ExplicitBodies {
   void add_body(const ElasticLaw& law, double density, std::span<const std::array<int, 4>> tets,
                 std::span<const RestElement> rest_elements, std::span<const Mat3> offsets,
                 double limit = std::numeric_limits<double>::infinity(), std::span<const std::array<int, 6>> edges = {});
+  /// Gives the last body the strength surface of its material, by which nodes are flagged.
+  void set_strength_surface(const Material& material);
   /// Adds edges for the next quadratic body, or for a crack. Sets the directions not blocked by supports. As for nodes.
   int add_edge(const ExplicitEdgeStart& start);
   int copy_edge(int edge, double mass);
@@ -110,7 +112,8 @@ class ExplicitBodies {
   void compute_forces();
   /// Moves all nodes by a microstep. Velocities change by the forces over the fraction `kick` of it. Velocities at the
   /// time of the positions take half a kick at first, and the other half from kick() (velocity Verlet). `flagged`
-  /// receives the nodes at which an element's largest principal stress exceeds the node's threshold.
+  /// receives the nodes at which an element's largest principal stress, or its equivalent tension, exceeds the node's
+  /// threshold.
   void advance(double kick, std::vector<int>& flagged);
   /// Changes only velocities, by the forces over a fraction of a microstep.
   void kick(double fraction);

@@ -11,9 +11,11 @@ struct NodeSeparation {
   Mat3 tensor = Mat3::Zero();      ///< separation tensor ς, world frame [N]
   double eigenvalue = 0;           ///< its largest eigenvalue v⁺ [N]
   Vec3 direction = Vec3::UnitX();  ///< n̂, its unit eigenvector: normal of the candidate crack plane
-  double stress = 0;               ///< separation stress s [Pa] (strength criterion), averaged over the last substeps
-  double mean_tension = 0;         ///< tension across the plane, averaged over the part that a crack needs [Pa]
-  double averaging_radius = 0;     ///< radius of that part [m]; 0: single elements are larger, and it is s
+  /// Separation stress s, or the equivalent tension of materials with a strength surface [Pa] (strength criterion),
+  /// averaged over the last substeps.
+  double stress = 0;
+  double mean_tension = 0;      ///< that load, averaged over the part that a crack needs [Pa]
+  double averaging_radius = 0;  ///< radius of that part [m]; 0: single elements are larger, and it is s
   /// [Pa] or, with the force criterion, [N]. At a crack front where energy decides: the stress at which G is G_c. Where
   /// the mean tension decides: the stress at which that is the strength [Pa].
   double resistance = std::numeric_limits<double>::infinity();

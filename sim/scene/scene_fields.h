@@ -46,6 +46,11 @@ void describe_properties(Archive& archive, Material& m) {
   archive.field("density", m.density, between(0.01, 1e6, "kg/m³"), "Density ρ");
   archive.field("tensile_strength", m.tensile_strength, between(1e-3, 1e13, "Pa"),
                 "Tensile strength σ_t: a node separates above it (criterion \"strength\")");
+  archive.field("compressive_strength", m.compressive_strength, between(1e-3, 1e13, "Pa"),
+                "Compressive strength σ_c: the stress state decides, by Drucker and Prager's surface through both "
+                "strengths; null: the largest tension decides");
+  archive.require(!m.compressive_strength || *m.compressive_strength >= m.tensile_strength, "compressive_strength",
+                  "is below the tensile strength", "raise it, or remove it: the largest tension decides then");
   archive.field("fracture_toughness", m.fracture_toughness, between(1e-3, 1e13, "Pa·√m"),
                 "Fracture toughness K_Ic: limits the resistance at crack fronts");
   archive.field("separation_toughness", m.separation_toughness, between(1e-6, 1e15, "N"),

@@ -4,6 +4,8 @@
 #include <functional>
 #include <optional>
 
+#include "sim/fracture/strength_surface.h"
+
 namespace griffith {
 namespace {
 
@@ -47,9 +49,10 @@ void strain(const Frame& frame, NodeReport& report) {
   report.principal = principal_values(tensor);
   report.plane = candidate_plane(input, report.node, tensor,
                                  weakness ? strength_at(input, report.node, *weakness) : DirectionalStrength());
-  const bool by_stress = frame.materials[scene_body].criterion == FractureCriterion::strength;
+  const Material& material = frame.materials[scene_body];
+  const bool by_stress = material.criterion == FractureCriterion::strength;
   report.by_tension = by_stress && report.plane.by_tension;
-  report.load = by_stress ? report.plane.stress : report.plane.eigenvalue;
+  report.load = by_stress ? separation_load(input, report.node, material, report.plane) : report.plane.eigenvalue;
   for (TetId tet : frame.nodes.stars[report.node])
     report.elements.push_back(contribution_of(frame, input, tet, report));
   if (!report.by_tension && frame.nodes.constraints[report.node].is_free()) report.balance = balance_of(report);

@@ -30,16 +30,18 @@ struct NodeReport {
   PrincipalValues principal = {
       Vec3::Zero(), Mat3::Identity()};  ///< principal values and directions of the separation tensor, ascending [N]
   CandidatePlane plane;
-  double load = 0;          ///< across the plane [Pa], or [N] by the criterion of the separation force
-  bool by_tension = false;  ///< the load is the mean tensile stress of the elements, not v⁺ per area
+  /// Stress across the plane [Pa], or by the criterion of the separation force v⁺ [N]; if the material has a strength
+  /// surface, the equivalent tension [Pa].
+  double load = 0;
+  bool by_tension = false;  ///< the plane's stress is the mean tensile stress of the elements, not v⁺ per area
   std::vector<ElementContribution> elements;  ///< all at the node, the largest share first
   double balance = 0;                         ///< contribution of the sums of all forces to v⁺, usually negative [N]
 
   Vec3 normal() const {
     return by_tension ? plane.normal : plane.pulled;
   }  ///< normal of the plane to which the contributions belong
-  /// Returns the sum of contributions and balance: v⁺ [N] or, by tension, the load [Pa].
-  double sum() const { return by_tension ? load : plane.eigenvalue; }
+  /// Returns the sum of contributions and balance: v⁺ [N] or, by tension, the plane's stress [Pa].
+  double sum() const { return by_tension ? plane.stress : plane.eigenvalue; }
 
   bool at_crack_front = false;
   bool supported = false;   ///< a support acts on the node

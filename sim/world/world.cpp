@@ -41,6 +41,7 @@ void change_bodies(WorldState& world, int scene_body) {
 /// True if two materials differ only in their resistance to cracks, so that motion is unchanged.
 bool differ_in_resistance_alone(Material a, const Material& b) {
   a.tensile_strength = b.tensile_strength;
+  a.compressive_strength = b.compressive_strength;
   a.fracture_toughness = b.fracture_toughness;
   a.separation_toughness = b.separation_toughness;
   return a == b;

@@ -123,6 +123,38 @@ TEST(Sentences, AreTrueOfAScaledImpact) {
   expect_true_sentences(scene, 30);
 }
 
+TEST(Sentences, SayThatTheStressStateDecides) {
+  Scene scene;
+  scene.gravity.setZero();
+  scene.ground.reset();
+  scene.simulation.fracture = false;
+  BodyDescription block;
+  block.shape = BoxShape{Vec3(0.1, 0.1, 0.1), Vec3::Constant(0.05), BoxPattern::five_tet};
+  block.material = *find_material_preset("soda_lime_glass");
+  block.material.tensile_strength = 40e6;
+  for (const Vec3& axis : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY())}) {
+    block.supports.push_back(
+        {.region = HalfSpaceRegion{-0.05 * axis, -axis}, .kind = SupportKind::sliding, .normal = axis});
+    block.loads.push_back(
+        {.region = HalfSpaceRegion{0.05 * axis, axis}, .kind = LoadKind::traction, .traction = 20e6 * axis});
+  }
+  scene.bodies = {block};
+  for (const bool has_surface : {false, true}) {
+    if (has_surface) scene.bodies[0].material.compressive_strength = 1000e6;
+    World world(scene);
+    world.step();
+    const NodeReport report = node_report(world.frame(), most_loaded_node(world.frame()));
+    const std::string text = ui::verdict_on(report, world.frame(), true).text,
+                      origin = ui::origin_of_load(report, scene.bodies[0].material);
+    EXPECT_EQ(has(text,
+                  "The stress state decides, not its largest tension: now 20 MPa across the plane count as 29.6 "
+                  "MPa, by the compressive strength of 1 GPa."),
+              has_surface)
+        << text;
+    EXPECT_EQ(has(origin, "equivalent to the stress state, with 20 MPa across the plane: "), has_surface) << origin;
+  }
+}
+
 /// A wall that nothing strikes.
 class RestOnScreen : public EditorTest {
  protected:

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "sim/elasticity/element_frequency.h"
+#include "sim/fracture/strength_surface.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/topology.h"
 
@@ -179,6 +180,37 @@ ExplicitBodies cube_with(
                   highest_frequency(elastic_law(Material()), Material().density, box.rest_elements));
   bodies.finish();
   return bodies;
+}
+
+/// Returns how many nodes of a uniformly strained box are flagged at a threshold [Pa].
+std::size_t flagged_nodes(const Material& material, const Vec3& strain, float threshold) {
+  Box box(
+      Vec3(1, 1, 1), 0.5, material, [&](const Vec3& rest) { return Vec3(rest + strain.cwiseProduct(rest)); }, at_rest);
+  box.bodies.set_strength_surface(material);
+  for (int i = 0; i < box.bodies.node_count(); ++i) box.bodies.node(i).threshold = threshold;
+  std::vector<int> flagged;
+  box.bodies.compute_forces();
+  box.bodies.advance(1, flagged);
+  return flagged.size();
+}
+
+TEST(ExplicitBodies, AStrengthSurfaceFlagsNodesByTheirEquivalentTension) {
+  Material glass = *find_material_preset("soda_lime_glass");
+  const ElasticLaw law = elastic_law(glass);
+  const std::size_t all = Box(
+                              Vec3(1, 1, 1), 0.5, glass, [](const Vec3& rest) { return rest; }, at_rest)
+                              .masses.size();
+  for (const Vec3& strain : {Vec3(1e-4, 1e-4, -5e-5), Vec3(1e-4, 1e-4, 1e-4), Vec3(2.2e-4, 2.2e-4, -1e-3)}) {
+    const Mat3 stress = Vec3(2 * law.mu * strain + Vec3::Constant(law.lambda * strain.sum())).asDiagonal();
+    glass.compressive_strength = 20 * glass.tensile_strength;
+    const double largest = std::max(0.0, stress.diagonal().maxCoeff()),
+                 load = std::max(largest, equivalent_tension(stress, 0.05));
+    ASSERT_GT(load, 1.1 * largest);
+    EXPECT_EQ(flagged_nodes(glass, strain, static_cast<float>(0.999 * load)), all);
+    EXPECT_EQ(flagged_nodes(glass, strain, static_cast<float>(1.001 * load)), 0U);
+    glass.compressive_strength.reset();
+    EXPECT_EQ(flagged_nodes(glass, strain, static_cast<float>(1.001 * largest + 1e-2 * load)), 0U);
+  }
 }
 
 void flatten(RestElement& rest, double fraction) {

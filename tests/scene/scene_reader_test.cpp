@@ -98,6 +98,8 @@ TEST(SceneReader, ReportsValuesThatCannotBe) {
         "doc#/bodies/0/loads/0/pressure", "\"kind\": \"pressure\""},
        {R"({"version": 1, "bodies": [{"shape": {"plate_with_hole": {"hole_radius": 1}}}]})",
         "doc#/bodies/0/shape/plate_with_hole/hole_radius", "less than half"},
+       {R"({"version": 1, "bodies": [{"material": {"tensile_strength": 2e6, "compressive_strength": 1e6}}]})",
+        "doc#/bodies/0/material/compressive_strength", "below the tensile strength"},
        {R"({"version": 1, "bodies": [{"shape": {"notched_beam": {"notch_depth": 1}}}]})",
         "doc#/bodies/0/shape/notched_beam/notch_depth", "height"},
        {R"({"version": 1, "probes": [{"quantities": ["stress", "strain"]}]})", "doc#/probes/0/quantities/1",

@@ -1,5 +1,6 @@
 #include "ui/model/verdict.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -72,6 +73,18 @@ std::string of_average(const NodeSeparation& separation) {
          " it is " + format_quantity(separation.mean_tension, "Pa", 3) + " on average.";
 }
 
+/// Compares the load with the tension across the plane now, which differ by a strength surface; empty if they do not.
+std::string of_stress_state(const NodeReport& report, const Material& material) {
+  constexpr double kEqual = 0.01;
+  const double tension = report.plane.stress;
+  if (!material.compressive_strength || material.criterion != FractureCriterion::strength || !report.strained ||
+      std::abs(report.load - tension) <= kEqual * std::max(report.load, tension))
+    return "";
+  return " The stress state decides, not its largest tension: now " + format_quantity(tension, "Pa", 3) +
+         " across the plane count as " + format_quantity(report.load, "Pa", 3) + ", by the compressive strength of " +
+         format_quantity(*material.compressive_strength, "Pa", 3) + ".";
+}
+
 /// Describes the load on existing material. `whole`: the node has not cracked before.
 std::string under_load(const NodeState& state, const NodeReport& report, const Frame& frame, bool fracture) {
   const Material& material = frame.materials[frame.bodies[report.body].scene_body];
@@ -85,8 +98,10 @@ std::string under_load(const NodeState& state, const NodeReport& report, const F
     case NodeState::Load::above:
       return state.crack
                  ? "The rest is overloaded, at " + share +
-                       " of its resistance, but has not separated: " + reason_unbroken(frame, fracture)
-                 : "Overloaded, at " + share + " of its resistance, but intact: " + reason_unbroken(frame, fracture);
+                       " of its resistance, but has not separated: " + reason_unbroken(frame, fracture) +
+                       of_stress_state(report, material)
+                 : "Overloaded, at " + share + " of its resistance, but intact: " + reason_unbroken(frame, fracture) +
+                       of_stress_state(report, material);
     case NodeState::Load::below:
     case NodeState::Load::near:
       break;
@@ -94,6 +109,7 @@ std::string under_load(const NodeState& state, const NodeReport& report, const F
   std::string text = what + ": the load of " + format_quantity(load_of(separation, material), load_unit(material), 3) +
                      " is " + share + " of the resistance.";
   text += of_average(separation);
+  text += of_stress_state(report, material);
   if (report.at_crack_front) text += " " + of_crack_front(separation);
   if (separation.eigenvalue <= 0 && separation.utilization <= 0)
     text += " There is no tension: the elements compress the node.";
@@ -161,6 +177,14 @@ Verdict bare_verdict(const NodeState& state, const NodeReport& report, const Fra
   return verdict;
 }
 
+/// Describes the origin of the tension across the plane at the frame's time.
+std::string origin_of_tension(const NodeReport& report) {
+  const double pull = report.plane.eigenvalue, stress = report.plane.stress;
+  if (report.by_tension) return "the mean tensile stress of its elements";
+  if (pull <= 0 || stress <= 0) return "no tension";
+  return format_quantity(pull, "N") + " over " + format_quantity(pull / stress, "m²");
+}
+
 }  // namespace
 
 std::string stand_in_text(const ScaledImpact& impact) {
@@ -186,11 +210,12 @@ std::string resistance_text(const NodeSeparation& separation, const Material& ma
 const char* contribution_unit(const NodeReport& report) { return report.by_tension ? "Pa" : "N"; }
 
 std::string origin_of_load(const NodeReport& report, const Material& material) {
-  const double pull = report.plane.eigenvalue;
-  if (report.by_tension) return "the mean tensile stress of its elements";
-  if (pull <= 0 || report.load <= 0) return "no tension";
-  if (material.criterion == FractureCriterion::separation_force) return "the tensile force across the plane";
-  return format_quantity(pull, "N") + " over " + format_quantity(pull / report.load, "m²");
+  if (material.criterion == FractureCriterion::separation_force)
+    return report.load > 0 ? "the tensile force across the plane" : "no tension";
+  const std::string tension = origin_of_tension(report);
+  if (!material.compressive_strength) return tension;
+  return "equivalent to the stress state, with " + format_quantity(report.plane.stress, "Pa") +
+         " across the plane: " + tension;
 }
 
 NodeState node_state(const NodeReport& report, const Frame& frame, const std::optional<Stop>& stop) {

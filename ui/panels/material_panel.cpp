@@ -136,6 +136,23 @@ void criterion_row(Panel& panel, Material& material) {
   keep(panel, {true, true}, "Set criterion", material);
 }
 
+void strength_surface_rows(Panel& panel, Material& material) {
+  constexpr double kUsualRatio = 10;  // compressive over tensile strength of concrete and rock
+  bool has_surface = material.compressive_strength.has_value();
+  if (checkbox(panel, "material/has_strength_surface", "Drucker-Prager surface", has_surface)) {
+    material.compressive_strength = has_surface ? std::optional(kUsualRatio * material.tensile_strength) : std::nullopt;
+    keep(panel, {true, true}, "Set strength surface", material);
+  }
+  field_tooltip(panel, "material/has_strength_surface",
+                "The material fails by Drucker and Prager's surface through its tensile and compressive strengths; "
+                "otherwise by its largest tension.");
+  if (!material.compressive_strength) return;
+  number_row(panel, material,
+             {"compressive_strength", "Compressive strength",
+              "The pressure at which a free bar fails: much larger than the tensile strength in brittle materials."},
+             *material.compressive_strength);
+}
+
 void fracture_rows(Panel& panel, Material& material) {
   criterion_row(panel, material);
   if (material.criterion == FractureCriterion::separation_force) {
@@ -151,6 +168,7 @@ void fracture_rows(Panel& panel, Material& material) {
              {"tensile_strength", "Tensile strength",
               "A node separates when its mesh-independent separation stress exceeds it."},
              &Material::tensile_strength);
+  strength_surface_rows(panel, material);
   number_row(panel, material,
              {"fracture_toughness", "Toughness K_Ic",
               "Lowers the resistance at a crack front: with small values, a crack runs once it has started."},

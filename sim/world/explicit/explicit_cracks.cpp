@@ -22,6 +22,9 @@ constexpr double kOverloadTime = 0.75;
 constexpr double kCrackSpeed = 0.3;
 /// Safety factor of screening: the stress of elements is that of another frame than in the check of nodes.
 constexpr float kScreeningFraction = 0.97F;
+/// Largest stress or equivalent tension of the elements around a node over its load, at least: of the load, their mean
+/// equivalent tension is one part, and what the plane's stress exceeds that of the mean the other.
+constexpr double kSurfaceFraction = 0.5;
 /// Elements and nodes that one thread checks: fewer are done before another thread could start.
 constexpr int kGrain = 128;
 /// Work of the check of a node with the elements around it, and of a crack [µs of a typical core].
@@ -82,6 +85,7 @@ float screening_stress(const WorldState& world, NodeId node) {
               world.elements.rest_elements[tet].shape_gradients.col(local_corner(world.mesh, tet, node)).norm();
     minimum *= 2 / area;
   }
+  if (material.compressive_strength) minimum *= kSurfaceFraction;
   return kScreeningFraction * static_cast<float>(minimum);
 }
 

@@ -153,6 +153,7 @@ void Trial::add_elements(const Body& body, const std::vector<int>& local, const 
   const double limit =
       body.tets.size() < kUnrelieved ? std::numeric_limits<double>::infinity() : highest_frequency(world_, body);
   explicit_bodies_.add_body(law, material.density, tets, rest_elements, offsets, limit, edges);
+  explicit_bodies_.set_strength_surface(material);
   const int first = explicit_bodies_.slot(explicit_bodies_.body_count() - 1, 0);
   parts_.tets.resize(first);
   parts_.tets.insert(parts_.tets.end(), body.tets.begin(), body.tets.end());

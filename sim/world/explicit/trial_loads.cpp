@@ -5,6 +5,7 @@
 
 #include "sim/fracture/crack_front.h"
 #include "sim/fracture/resistance.h"
+#include "sim/fracture/strength_surface.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/phases/separation_phase.h"
@@ -71,8 +72,9 @@ double TrialLoads::utilization(int index) {
   const std::optional<Weakness>& weakness = world_.model->weaknesses[body.scene_body];
   DirectionalStrength strength;
   if (weakness) strength = strength_at(input, local, *weakness);
-  const CandidatePlane plane =
+  CandidatePlane plane =
       candidate_planes(node_loads(input, std::span(&local, 1)), {strength, strength, strength, strength})[0];
+  plane.stress = separation_load(input, local, material, plane);
   const bool by_stress = material.criterion == FractureCriterion::strength;
   const double fraction = strength.fraction(plane.normal);
   const double load = by_stress ? plane.stress : plane.eigenvalue;

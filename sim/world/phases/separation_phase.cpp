@@ -7,6 +7,7 @@
 #include "sim/core/parallel.h"
 #include "sim/fracture/crack_front.h"
 #include "sim/fracture/resistance.h"
+#include "sim/fracture/strength_surface.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/corners.h"
@@ -49,28 +50,30 @@ double energy_release_at(const WorldState& world, NodeId node, const Vec3& norma
 /// Utilization below which a node is not worth averaging.
 constexpr double kWorthAveraging = 0.8;
 
-/// Averages the tension across a plane over the zone of a node. Returns it over the strength.
+/// Averages the load of a node over its zone, like the tension across its plane. Returns it over the strength.
+///   tension  across the plane at the node [Pa]
 double average_tension(const WorldState& world, const SeparationInput& input, TensionZones& zones, NodeId node,
-                       double strength, NodeSeparation& separation) {
+                       double tension, double strength, NodeSeparation& separation) {
   separation.mean_tension = separation.stress;
   separation.averaging_radius = 0;
   if (separation.stress <= kWorthAveraging * strength) return separation.stress / strength;
   const TensionZone zone = tension_zone_at(world, zones, node);
   if (zone.parts.empty()) return separation.stress / strength;
   separation.averaging_radius = zone.radius;
-  separation.mean_tension = std::min(separation.stress, mean_tension(input, zone, separation.direction));
+  separation.mean_tension =
+      separation.stress * std::min(1.0, mean_tension(input, zone, separation.direction) / tension);
   return separation.mean_tension / strength;
 }
 
 void take_load(const WorldState& world, const SeparationInput& input, TensionZones& zones, NodeId node,
-               const CandidatePlane& plane, const DirectionalStrength& strength, bool averaged,
+               const CandidatePlane& plane, double load, const DirectionalStrength& strength, bool averaged,
                NodeSeparation& separation) {
   const Material& material = world.material_of(body_at(world, node));
   const bool by_stress = material.criterion == FractureCriterion::strength;
   const double fraction = strength.fraction(plane.normal);
   separation.eigenvalue = plane.eigenvalue;
   separation.direction = plane.normal;
-  separation.stress = averaged ? 0.5 * (plane.stress + separation.stress) : plane.stress;
+  separation.stress = averaged ? 0.5 * (load + separation.stress) : load;
   const double whole = fraction * resistance(material, world.nodes.strength_factors[node]);
   separation.resistance = whole;
   separation.energy_release = 0;
@@ -78,7 +81,7 @@ void take_load(const WorldState& world, const SeparationInput& input, TensionZon
     separation.utilization = separation.eigenvalue / whole;
     return;
   }
-  separation.utilization = average_tension(world, input, zones, node, whole, separation);
+  separation.utilization = average_tension(world, input, zones, node, plane.stress, whole, separation);
   if (world.nodes.at_crack_front[node] != 0) {
     separation.fracture_energy = fracture_energy(material, fraction);
     separation.energy_release = energy_release_at(world, node, plane.normal);
@@ -101,11 +104,12 @@ void evaluate_fours(WorldState& world, const SeparationInput& input, std::span<c
     std::array<DirectionalStrength, 4> strengths;
     for (std::size_t i = 0; i < 4; ++i)
       strengths[i] = i < four.size() ? directional_strength_at(world, input, four[i]) : strengths[i - 1];
-    const std::array<CandidatePlane, 4> planes = candidate_planes(loads, strengths);
+    std::array<CandidatePlane, 4> planes = candidate_planes(loads, strengths);
     for (std::size_t i = 0; i < four.size(); ++i) {
       NodeSeparation& separation = world.nodes.separations[four[i]];
       separation.tensor = loads[i].tensor;
-      take_load(world, input, zones, four[i], planes[i], strengths[i], averaged, separation);
+      const double load = separation_load(input, four[i], world.material_of(body_at(world, four[i])), planes[i]);
+      take_load(world, input, zones, four[i], planes[i], load, strengths[i], averaged, separation);
     }
   }
 }
