@@ -23,10 +23,10 @@ std::array<std::int64_t, 3> contact_cell(const WorldState& world, const ContactV
 
 }  // namespace
 
-void record_contacts(WorldState& world) {
-  for (const Contact& contact : std::as_const(world.contact_world).contacts()) {
+void add_contacts(const WorldState& world, std::vector<ContactView>& views) {
+  for (const Contact& contact : world.contact_world.contacts()) {
     if (contact.impulse.isZero(0)) continue;
-    world.contact_views.push_back(
+    views.push_back(
         {world.body_of(contact.a), world.body_of(contact.b), contact.position, contact.normal, contact.impulse});
   }
 }
@@ -38,20 +38,21 @@ void merge(ContactView& contact, const ContactView& other) {
   contact.impulse += other.impulse;
 }
 
-void merge_contacts(WorldState& world) {
+std::vector<ContactView> merged_contacts(const WorldState& world, std::span<const ContactView> views) {
   using Key = std::tuple<BodyId, BodyId, std::array<std::int64_t, 3>>;
   std::vector<std::pair<Key, ContactView>> contacts;
-  for (const ContactView& contact : world.contact_views)
+  for (const ContactView& contact : views)
     contacts.emplace_back(Key(contact.a, contact.b, contact_cell(world, contact)), contact);
   std::ranges::stable_sort(contacts, {}, &std::pair<Key, ContactView>::first);
-  world.contact_views.clear();
+  std::vector<ContactView> merged;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     if (i > 0 && contacts[i].first == contacts[i - 1].first) {
-      merge(world.contact_views.back(), contacts[i].second);
+      merge(merged.back(), contacts[i].second);
     } else {
-      world.contact_views.push_back(contacts[i].second);
+      merged.push_back(contacts[i].second);
     }
   }
+  return merged;
 }
 
 }  // namespace griffith

@@ -56,27 +56,28 @@ ProjectileView view_of(const Projectile& projectile, const RigidState& state) {
 }  // namespace
 
 void publish(WorldState& world) {
-  world.totals = {};
-  world.body_views.resize(world.bodies.size());
-  world.projectile_views.clear();
+  world.output.totals = {};
+  world.output.bodies.resize(world.bodies.size());
+  world.output.projectiles.clear();
   for (const Body& body : world.bodies) {
-    BodyView& view = world.body_views[body.id];
+    BodyView& view = world.output.bodies[body.id];
     if (!still_shows(view, body)) view = view_of(body);
   }
-  add_nodes(world, world.totals);
+  add_nodes(world, world.output.totals);
   for (const Body& body : world.bodies)
-    if (!body.rigid) world.totals.kinetic_energy += kinetic_energy_of_edges(world, body);
+    if (!body.rigid) world.output.totals.kinetic_energy += kinetic_energy_of_edges(world, body);
   for (std::size_t i = 0; i < world.elements.rest_elements.size(); ++i)
-    world.totals.elastic_energy += world.elements.rest_elements[i].volume * world.elements.states[i].energy_density;
+    world.output.totals.elastic_energy +=
+        world.elements.rest_elements[i].volume * world.elements.states[i].energy_density;
   for (const Projectile& projectile : world.projectiles) {
     const RigidState state = world.contact_world.state(projectile.object);
-    world.projectile_views.push_back(view_of(projectile, state));
-    add_projectile(projectile, state, world.totals);
+    world.output.projectiles.push_back(view_of(projectile, state));
+    add_projectile(projectile, state, world.output.totals);
   }
-  merge_contacts(world);
-  close_account(world, world.totals.elastic_energy);
-  world.load_forces.assign(world.loads.empty() ? 0 : world.nodes.positions.size(), Vec3::Zero());
-  if (!world.loads.empty()) add_load_forces(world, world.time, world.load_forces);
+  world.output.contacts = merged_contacts(world, world.output.contacts);
+  close_account(world, world.output.totals.elastic_energy);
+  world.output.load_forces.assign(world.loads.empty() ? 0 : world.nodes.positions.size(), Vec3::Zero());
+  if (!world.loads.empty()) add_load_forces(world, world.time, world.output.load_forces);
 }
 
 }  // namespace griffith

@@ -201,11 +201,12 @@ void check_probes(const Scene& scene) {
   }
 }
 
-void place_probes(WorldState& world, int scene_body, const RestBody& body, std::vector<InputError>& findings) {
-  const std::vector<Probe>& probes = world.model->scene.probes;
-  world.probes.resize(probes.size());
+void place_probes(const Scene& scene, int scene_body, const RestBody& body, std::vector<PlacedProbe>& all,
+                  std::vector<InputError>& findings) {
+  const std::vector<Probe>& probes = scene.probes;
+  all.resize(probes.size());
   for (std::size_t i = 0; i < probes.size(); ++i) {
-    if (probes[i].body != world.model->scene.bodies[scene_body].name) continue;
+    if (probes[i].body != scene.bodies[scene_body].name) continue;
     std::vector<ProbedNode> nodes = std::visit([&](const auto& place) { return nodes_at(body, place); }, probes[i].at);
     if (nodes.empty() && std::holds_alternative<ProbeNode>(probes[i].at)) {
       throw InputError(place_of(i, "at/node"), "is no node of the mesh",
@@ -215,7 +216,7 @@ void place_probes(WorldState& world, int scene_body, const RestBody& body, std::
       findings.emplace_back(place_of(i, "at/region"), "holds no node",
                             "make it larger, or move it: regions are in the body's rest space");
     }
-    world.probes[i] = {probes[i], std::move(nodes)};
+    all[i] = {probes[i], std::move(nodes)};
   }
 }
 

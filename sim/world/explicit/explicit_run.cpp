@@ -230,11 +230,11 @@ void ExplicitRun::record_contact(const explicit_dynamics::MicrostepContacts::Rec
       impact.obstacle >= 0 ? &contacts_->obstacles()[impact.obstacle] : nullptr;
   const ContactView contact{body_of(node).id, obstacle ? world_.body_of(obstacle->object) : BodyId(), impact.place,
                             -impact.normal, impact.impulse};
-  const auto [view, is_new] = contact_views_.try_emplace({node, impact.obstacle}, world_.contact_views.size());
+  const auto [view, is_new] = contact_views_.try_emplace({node, impact.obstacle}, world_.output.contacts.size());
   if (is_new) {
-    world_.contact_views.push_back(contact);
+    world_.output.contacts.push_back(contact);
   } else {
-    merge(world_.contact_views[view->second], contact);
+    merge(world_.output.contacts[view->second], contact);
   }
 }
 

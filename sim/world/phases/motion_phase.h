@@ -11,7 +11,8 @@ namespace griffith {
 void make_elastic(WorldState& world, Body& body);
 /// Sets whether a body is ballistic: then all impacts on it are predicted.
 void set_ballistic(WorldState& world, Body& body, bool ballistic);
-void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>& forces, double dt);
+/// Applies the external `forces` [N] of a substep of `dt` [s] to a rigid body; its loads are recorded in `start`.
+void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>& forces, double dt, RigidStart& start);
 /// Moves every body by its velocities and takes the elastic state after; `external` as in predict_velocities().
 void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt);
 /// Moves the nodes of a body from `before` by the part of its velocities that does not deform it, in a substep of `dt`

@@ -95,7 +95,7 @@ class Deformation {
   /// Returns h f of the elastic forces at the present positions.
   NodeVectors elastic_impulses() const {
     std::vector<Vec3> forces(world_.nodes.positions.size(), Vec3::Zero());
-    add_elastic_forces(world_, body_, forces);
+    add_elastic_forces(world_, body_, forces, world_.scratch);
     return dt_ * body_.system->gather(forces, world_.scratch.edge_forces);
   }
   /// Returns the resistance of mass and damping to the velocities: M e + h β K e.
