@@ -31,7 +31,7 @@ struct PlacedProbe {
 void place_probes(const Scene& scene, int scene_body, const RestBody& body, std::vector<PlacedProbe>& all,
                   std::vector<InputError>& findings);
 
-/// Throws InputError when a probe names no body of the scene.
+/// Throws InputError when a probe names no body of the scene, or no quantity.
 void check_probes(const Scene& scene);
 
 /// Returns the columns of probe_values(): "name.displacement.x [m]", …
