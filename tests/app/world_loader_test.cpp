@@ -7,7 +7,7 @@
 #include "app/shared/expected_mesh.h"
 #include "program.h"
 #include "sim/core/error.h"
-#include "sim/world/setup/shapes.h"
+#include "sim/world/setup/shape_mesh.h"
 
 namespace griffith::app {
 namespace {
