@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "sim/geometry/triangle_hit.h"
+#include "sim/geometry/triangle.h"
 #include "sim/mesh/tet_mesh.h"
 
 namespace griffith::app {

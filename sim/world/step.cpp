@@ -21,8 +21,6 @@
 #include "sim/world/phases/rest_phase.h"
 #include "sim/world/phases/separation_phase.h"
 #include "sim/world/publish.h"
-#include "sim/world/world.h"
-#include "sim/world/world_impl.h"
 #include "sim/world/world_state.h"
 
 namespace griffith {
@@ -234,8 +232,6 @@ StepReport begin_report(WorldState& world) {
 }
 
 }  // namespace
-
-void World::step() { advance(impl_->state); }
 
 void advance(WorldState& world) {
   const StepReport last = begin_report(world);

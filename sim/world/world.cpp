@@ -19,10 +19,15 @@
 #include "sim/world/setup/build_world.h"
 #include "sim/world/setup/check_elements.h"
 #include "sim/world/setup/residual_strains.h"
-#include "sim/world/world_impl.h"
+#include "sim/world/step.h"
 #include "sim/world/world_state.h"
 
 namespace griffith {
+
+struct World::Impl {
+  WorldState state;
+};
+
 namespace {
 
 /// Takes on the material that is in force now.
@@ -143,6 +148,8 @@ Frame World::frame() const {
   frame.element_choices = world.model->element_choices;
   return frame;
 }
+
+void World::step() { advance(impl_->state); }
 
 const std::vector<InputError>& World::findings() const { return impl_->state.model->findings; }
 

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "sim/core/error.h"
-#include "sim/geometry/closest_on_triangle.h"
+#include "sim/geometry/triangle.h"
 #include "sim/scene/field.h"
 #include "sim/scene/quantities.h"
 #include "sim/world/bodies/surface_point.h"

@@ -9,7 +9,6 @@
 #include "sim/solver/contact_response.h"
 #include "sim/solver/rigid_motion.h"
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/contact_views.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/explicit/struck_bodies.h"
 #include "sim/world/phases/elastic_contacts.h"
@@ -20,6 +19,7 @@
 #include "sim/world/phases/quasi_static.h"
 #include "sim/world/phases/rest_phase.h"
 #include "sim/world/phases/touched_body.h"
+#include "sim/world/publish.h"
 #include "sim/world/world_state.h"
 
 namespace griffith {

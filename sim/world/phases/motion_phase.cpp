@@ -6,14 +6,12 @@
 #include <functional>
 #include <optional>
 
-#include "sim/core/free_turn.h"
 #include "sim/core/parallel.h"
 #include "sim/core/rotation.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/phases/contact_phase.h"
 #include "sim/world/phases/elastic_phase.h"
-#include "sim/world/phases/nonlinear_motion.h"
 #include "sim/world/phases/turning.h"
 #include "sim/world/world_state.h"
 

@@ -1,11 +1,9 @@
-#include "sim/world/phases/nonlinear_motion.h"
-
 #include <cmath>
 
 #include "sim/solver/conjugate_gradient.h"
+#include "sim/world/phases/elastic_contacts.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/motion_phase.h"
-#include "sim/world/phases/whole_motion.h"
 
 namespace griffith {
 namespace {

@@ -2,7 +2,6 @@
 
 #include <Eigen/LU>
 
-#include "sim/core/free_turn.h"
 #include "sim/core/rotation.h"
 #include "sim/world/bodies/bodies.h"
 
