@@ -227,6 +227,15 @@ def explanation(is_check):
     return as_code(output.splitlines() if is_check else [f'$ griffith {arguments}why.png', *output.splitlines()])
 
 
+# ---- quantities: those of views, from the program's own table
+
+def quantities(_):
+    lines = griffith('render --list-views')[1].split('\n\n')[0].splitlines()
+    rows = [re.split(r'  +', text) if '  ' in text else [text] for text in lines[1:]]
+    name_of = lambda row: [f'`{row[0]}`', row[1] if len(row) > 2 else '', row[-1]]
+    return '\n'.join(['| name | per | meaning |', '|---|---|---|', *(line(name_of(row)) for row in rows)])
+
+
 @dataclasses.dataclass
 class Search:
     """A run of `griffith find`, of whose table a page shows the rows at the ends and at changes."""
@@ -333,6 +342,7 @@ TABLES = [
           'regime change, limits | scaling | unaccounted | fracture energy |', energies, ('block_stack', 'hybrid'), .1),
     Table('weak_walls', 'fracture.md', '| property | shot | weak wall | regular wall | strong wall | why |', weak_walls,
           ('tensile strength', '9 m/s'), .5),
+    Table('quantities', 'views.md', '', None, text=quantities),
     Table('validation', 'validation.md', '', None, text=validation),
     Table('explanation', 'tutorial.md', '', None, tolerance=.1, text=explanation),
     Table('breaking_speed', 'sweeps.md', '', None, tolerance=.3, text=breaking_speed),

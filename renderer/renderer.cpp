@@ -7,12 +7,10 @@
 #include <cmath>
 #include <optional>
 
-#include "renderer/background_pass.h"
 #include "renderer/blend_target.h"
 #include "renderer/embedded_pass.h"
 #include "renderer/glass_target.h"
 #include "renderer/glyph_pass.h"
-#include "renderer/ground_pass.h"
 #include "renderer/hidden_backs.h"
 #include "renderer/occlusion_map.h"
 #include "renderer/puff_pass.h"
@@ -20,6 +18,7 @@
 #include "renderer/sphere_pass.h"
 #include "renderer/stroke_pass.h"
 #include "renderer/surface_pass.h"
+#include "renderer/surroundings.h"
 #include "renderer/target.h"
 #include "renderer/view.h"
 

@@ -10,7 +10,6 @@
 
 #include "app/cli/commands.h"
 #include "app/output/output.h"
-#include "app/regress/junit.h"
 #include "app/regress/report.h"
 #include "app/regress/run_suite.h"
 #include "app/regress/suite.h"

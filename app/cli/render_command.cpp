@@ -10,11 +10,14 @@
 #include "app/render/picture_output.h"
 #include "app/render/read_render_jobs.h"
 #include "app/render/render_job.h"
+#include "app/shared/text_table.h"
 #include "renderer/egl_context.h"
 #include "sim/core/error.h"
 #include "sim/core/replace_file.h"
+#include "sim/scene/quantities.h"
 #include "sim/scene/scene_reader.h"
-#include "sim/scene/view_quantity.h"
+#include "sim/scene/view_names.h"
+#include "sim/world/quantity_values.h"
 
 namespace griffith::app {
 namespace {
@@ -31,7 +34,28 @@ struct RenderOptions {
   std::string frames;  ///< as in frames_from_text(); empty: `frame` and `every`
   PictureOutput pictures;
   std::optional<int> egl_device;
+  bool list_views = false;
 };
+
+std::string place_name(const Quantity& quantity) {
+  if (!quantity.has_values()) return "";
+  const ValuePlace place = place_of(quantity);
+  return place == ValuePlace::node ? "node" : place == ValuePlace::tet ? "element" : "face";
+}
+
+/// Prints the names of --view: a table of the quantities, then layers and styles.
+void list_views() {
+  std::vector<std::vector<std::string>> lines = {{"quantity", "per", "meaning"}};
+  for (const Quantity* quantity : view_quantities()) {
+    const std::string unit = quantity->unit.empty() ? "" : " [" + std::string(quantity->unit) + "]";
+    lines.push_back({std::string(quantity->key), place_name(*quantity), std::string(quantity->meaning) + unit});
+  }
+  std::string text = text_table(lines) + "\nlayers:";
+  for (const ViewLayerInfo& layer : view_layers()) text.append(" ").append(layer.key);
+  text += "\nstyles:";
+  for (const std::string_view style : element_style_names()) text.append(" ").append(style);
+  print("%s exploded slice unlit\n", text.c_str());
+}
 
 /// Parses "1280x720". Returns an error text for CLI11, or an empty one.
 std::string read_size(const std::string& text, RenderJob& job) {
@@ -190,6 +214,7 @@ void add_how(CLI::App& command, RenderOptions& options) {
                   "draft (the fastest), standard or high (soft shadows, transparent glass); default: the scene's view")
       ->transform(CLI::CheckedTransformer(qualities).description(""))
       ->type_name("NAME");
+  command.add_flag("--list-views", options.list_views, "List the names of --view and draw nothing");
   command.add_flag("--ui", options.job.interface, "Draw the editor's panels into the picture");
   command.add_flag("--legend,!--no-legend", options.job.legend, "Draw the legend of the colors; default: on");
   command.add_flag("--transparent", options.job.transparent,
@@ -247,6 +272,10 @@ Command add_render(CLI::App& program) {
       "  griffith render scenes/wall_small.json --frame 30 --view utilization --size 1920x1080 -o utilization.png\n"
       "  griffith render --job-file pictures.json -o pictures");
   return {command, [options] {
+            if (options->list_views) {
+              list_views();
+              return kDone;
+            }
             if (options->job.interface && options->job.transparent)
               throw InputError("--transparent", "cannot be combined with --ui", "leave one of them out");
             render(*options);

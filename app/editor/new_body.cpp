@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "sim/scene/body_pose.h"
-#include "sim/world/setup/shapes.h"
+#include "sim/world/setup/shape_mesh.h"
 #include "ui/model/scene_entry.h"
 
 namespace griffith::app {

@@ -1,7 +1,7 @@
 #include "app/editor/new_entry.h"
 
 #include "sim/scene/body_pose.h"
-#include "sim/world/setup/shapes.h"
+#include "sim/world/setup/shape_mesh.h"
 #include "ui/model/scene_entry.h"
 
 namespace griffith::app {

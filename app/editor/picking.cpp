@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/editor/messages.h"
-#include "sim/geometry/triangle_hit.h"
+#include "sim/geometry/triangle.h"
 #include "sim/mesh/tet_mesh.h"
 #include "sim/world/node_report.h"
 #include "ui/model/verdict.h"

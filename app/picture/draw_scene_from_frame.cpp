@@ -7,14 +7,13 @@
 #include "app/picture/crack_dust.h"
 #include "app/picture/crack_lines.h"
 #include "app/picture/element_picture.h"
+#include "app/picture/embedded_picture.h"
 #include "app/picture/layer_picture.h"
 #include "app/picture/natural_materials.h"
 #include "app/picture/picture_options.h"
 #include "app/picture/quantities.h"
-#include "app/picture/skin_picture.h"
-#include "app/picture/splinter_picture.h"
 #include "sim/mesh/tet_mesh.h"
-#include "sim/scene/view_quantity.h"
+#include "sim/scene/quantities.h"
 #include "ui/model/units.h"
 #include "ui/model/view_layers.h"
 
@@ -25,7 +24,8 @@ constexpr render::Rgb kProjectileColor = {0.24f, 0.27f, 0.31f};
 
 /// True if embedded surfaces can replace the tets.
 bool shows_whole_bodies(const ViewSettings& view) {
-  return view.elements == ElementStyle::surface && view.quantity != "crack_age";
+  if (view.elements != ElementStyle::surface) return false;
+  return !is_scalar(view.quantity) || place_of(*find_view_quantity(view.quantity)) != ValuePlace::face;
 }
 
 /// Selects the tets that are drawn, rather than the surfaces embedded in them.
@@ -110,7 +110,7 @@ render::ScalarStyle scalar_style(const ViewSettings& view, const QuantityValues&
   style.histogram = histogram(values, range, kBins);
   style.has_nan =
       values.place != ValuePlace::face && std::ranges::any_of(values.values, [](float v) { return std::isnan(v); });
-  const auto quantity = std::ranges::find(view_quantities(), view.quantity, &ViewQuantity::key);
+  const Quantity* quantity = find_view_quantity(view.quantity);
   style.quantity = quantity->label;
   style.unit = quantity->unit;
   return style;
@@ -282,7 +282,8 @@ struct DrawRequest {
 };
 
 std::optional<QuantityValues> values_of(const Frame& frame, const ViewSettings& view) {
-  return is_scalar(view.quantity) ? std::optional(quantity_values(frame, view.quantity)) : std::nullopt;
+  return is_scalar(view.quantity) ? std::optional(quantity_values(frame, *find_view_quantity(view.quantity)))
+                                  : std::nullopt;
 }
 
 /// Draws a frame. `values`: values_of() the frame.

@@ -5,7 +5,8 @@
 
 #include "app/picture/bounds_of.h"
 #include "sim/core/error.h"
-#include "sim/scene/view_quantity.h"
+#include "sim/scene/quantities.h"
+#include "sim/scene/view_names.h"
 #include "ui/model/view_layers.h"
 
 namespace griffith::app {
@@ -14,7 +15,7 @@ namespace {
 constexpr double kExplode = 0.6;
 
 bool use_quantity(ViewSettings& view, const std::string& name) {
-  if (std::ranges::find(view_quantities(), name, &ViewQuantity::key) == view_quantities().end()) return false;
+  if (!find_view_quantity(name)) return false;
   if (view.quantity != name) view.range.reset();
   view.quantity = name;
   return true;
@@ -42,7 +43,7 @@ SlicePlane slice_through(const Frame& frame, const Vec3& toward_eye) {
 
 std::string all_names() {
   std::string names;
-  for (const ViewQuantity& quantity : view_quantities()) names.append(quantity.key).append(", ");
+  for (const Quantity* quantity : view_quantities()) names.append(quantity->key).append(", ");
   for (const ViewLayerInfo& layer : view_layers()) names.append(layer.key).append(", ");
   for (const std::string_view style : element_style_names()) names.append(style).append(", ");
   return names + "exploded, slice, unlit";

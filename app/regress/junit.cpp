@@ -1,10 +1,9 @@
-#include "app/regress/junit.h"
-
 #include <algorithm>
 #include <cstdio>
 #include <numeric>
 
 #include "app/output/html_page.h"
+#include "app/regress/report.h"
 
 namespace griffith::app {
 namespace {

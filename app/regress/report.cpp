@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "app/output/html_page.h"
-#include "app/regress/report_article.h"
 #include "app/regress/report_files.h"
 
 namespace griffith::app {

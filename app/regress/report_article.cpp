@@ -1,9 +1,8 @@
-#include "app/regress/report_article.h"
-
 #include <algorithm>
 
 #include "app/output/html_page.h"
 #include "app/output/id_picture.h"
+#include "app/regress/report.h"
 
 namespace griffith::app {
 namespace {

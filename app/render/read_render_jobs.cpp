@@ -8,7 +8,7 @@
 #include "app/render/frame_list.h"
 #include "sim/core/file_content.h"
 #include "sim/scene/read_value.h"
-#include "sim/scene/view_quantity.h"
+#include "sim/scene/view_names.h"
 #include "ui/model/commands.h"
 
 namespace griffith::app {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <span>
 #include <type_traits>
@@ -265,6 +266,25 @@ constexpr bool are_in_order() {
 }
 static_assert(are_in_order(), "an array is missing, or not where its id is");
 
+std::vector<griffith_value_info> quantity_infos() {
+  std::vector<griffith_value_info> infos;
+  for (const Quantity* quantity : file_quantities())  // their texts are literals, which end with 0
+    infos.push_back({quantity->key.data(), quantity->unit.data(), quantity->meaning.data()});
+  return infos;
+}
+
+const std::vector<griffith_value_info>& described_quantities() {
+  static const std::vector<griffith_value_info> infos = quantity_infos();
+  return infos;
+}
+
+const Quantity& quantity_of(const std::string& name) {
+  const std::vector<const Quantity*> all = file_quantities();
+  const auto found = std::ranges::find(all, name, &Quantity::key);
+  require(found != all.end(), "name", "is no quantity", "griffith_quantity_describe() lists them");
+  return **found;
+}
+
 bool is_array(std::int32_t array) { return array >= 0 && array < GRIFFITH_ARRAY_COUNT; }
 
 }  // namespace
@@ -280,5 +300,25 @@ griffith_status griffith_world_array(const griffith_world* world, std::int32_t a
     griffith_array& result = object_of(view, "view");
     require(is_array(array), "array", "is not an array", "a griffith_array_id");
     result = kArrays[array].view({shown.world.frame(), shown.surfaces});
+  });
+}
+
+std::int32_t griffith_quantity_count(void) { return static_cast<std::int32_t>(described_quantities().size()); }
+
+const griffith_value_info* griffith_quantity_describe(std::int32_t index) {
+  const std::vector<griffith_value_info>& infos = described_quantities();
+  return index >= 0 && index < griffith_quantity_count() ? &infos[static_cast<std::size_t>(index)] : nullptr;
+}
+
+griffith_status griffith_world_quantity(griffith_world* world, const char* name, griffith_array* view,
+                                        griffith_error* error) {
+  return guarded(error, [&] {
+    griffith_world& shown = object_of(world, "world");
+    griffith_array& result = object_of(view, "view");
+    const Frame frame = shown.world.frame();
+    const Quantity& quantity = quantity_of(text_of(name, "name"));
+    shown.quantity = quantity_array(frame, quantity);
+    result = std::visit([](const auto& values) { return numbers_of(values); }, shown.quantity);
+    if (place_of(quantity) == ValuePlace::node) result.count = static_cast<std::int64_t>(frame.nodes.positions.size());
   });
 }

@@ -8,6 +8,7 @@
 #include "sim/core/parallel.h"
 #include "sim/recording/recording.h"
 #include "sim/scene/scene.h"
+#include "sim/world/quantity_values.h"
 #include "sim/world/setup/in_memory_meshes.h"
 #include "sim/world/world.h"
 
@@ -23,6 +24,7 @@ struct griffith_world {
   bool edited = false;  ///< a shot or another material, which a recording started now would lack
   std::optional<griffith::Recording> recording = {};
   griffith::c::Surfaces surfaces = {};
+  griffith::QuantityArray quantity = {};  ///< the one computed last
 };
 
 struct griffith_thread_limit {

@@ -229,6 +229,14 @@ public sealed unsafe class World : IDisposable {
                     view.Rows * view.Columns);
   }
 
+  /// <summary>Computes a quantity per node or tetrahedron: "von_mises". Valid until the next one.</summary>
+  public View Quantity(string name) {
+    Native.ArrayView view;
+    Native.Check(Native.griffith_world_quantity(handle_, Native.Utf8(name), out view, Native.ClearError()));
+    return new View((byte*)view.Data, checked((int)view.Count), checked((int)view.Stride), (NumberType)view.Type,
+                    view.Rows * view.Columns);
+  }
+
   /// <summary>Updates the surface arrays.</summary>
   public void UpdateSurfaces() { Native.Check(Native.griffith_world_update_surfaces(handle_, Native.ClearError())); }
 
@@ -318,6 +326,8 @@ static unsafe class Native {
                                                                        IntPtr error);
   [DllImport(Library)] internal static extern int griffith_world_array(IntPtr world, int array, out ArrayView view,
                                                                        IntPtr error);
+  [DllImport(Library)] internal static extern int griffith_world_quantity(IntPtr world, byte[] name,
+                                                                          out ArrayView view, IntPtr error);
   [DllImport(Library)] internal static extern int griffith_world_update_surfaces(IntPtr world, IntPtr error);
 }
 

@@ -39,7 +39,8 @@ extern "C" {
 
 /* --- Version ------------------------------------------------------------------------------------------------------ */
 
-/* Version of the binary interface that this header describes. Structs grow and enumerations gain members only with it. */
+/* Version of the binary interface that this header describes. Structs grow and enumerations gain members only with it.
+ */
 #define GRIFFITH_ABI_VERSION 1
 
 /* Returns GRIFFITH_ABI_VERSION of the library, to compare with that of the header. */
@@ -207,10 +208,10 @@ typedef enum griffith_array_id {
   GRIFFITH_NODE_HAS_SUPPORT,        /* uint8 */
   GRIFFITH_NODE_AT_CRACK_FRONT,     /* uint8 */
   /* Per tetrahedron. */
-  GRIFFITH_TET_NODES,      /* int32[4] */
-  GRIFFITH_TET_NEIGHBORS,  /* int32[4], the tetrahedron beyond the face opposite each node; -1 on the surface */
-  GRIFFITH_TET_BODIES,     /* int32 */
-  GRIFFITH_TET_STRESS,     /* float64[3][3], Pa, Cauchy stress, symmetric */
+  GRIFFITH_TET_NODES,     /* int32[4] */
+  GRIFFITH_TET_NEIGHBORS, /* int32[4], the tetrahedron beyond the face opposite each node; -1 on the surface */
+  GRIFFITH_TET_BODIES,    /* int32 */
+  GRIFFITH_TET_STRESS,    /* float64[3][3], Pa, Cauchy stress, symmetric */
   /* Per body: a connected piece. */
   GRIFFITH_BODY_POSITIONS,          /* float64[3], m, of the center of mass */
   GRIFFITH_BODY_ORIENTATIONS,       /* float64[4], unit quaternion x, y, z, w, relative to its initial shape */
@@ -269,12 +270,12 @@ GRIFFITH_API const griffith_array_info* griffith_array_describe(int32_t array);
 /* A view of the library's own memory, valid until the next call that changes the world. Entry i begins at
  * (const char*)data + i * stride. */
 typedef struct griffith_array {
-  const void* data;    /* may be null if count is 0 */
-  int64_t count;       /* entries */
-  int64_t stride;      /* bytes from one entry to the next */
-  int32_t type;        /* a griffith_type */
-  int32_t dimensions;  /* rank of an entry: 0 a number, 1 a vector, 2 a matrix */
-  int32_t shape[2];    /* lengths of these dimensions, else 1 */
+  const void* data;   /* may be null if count is 0 */
+  int64_t count;      /* entries */
+  int64_t stride;     /* bytes from one entry to the next */
+  int32_t type;       /* a griffith_type */
+  int32_t dimensions; /* rank of an entry: 0 a number, 1 a vector, 2 a matrix */
+  int32_t shape[2];   /* lengths of these dimensions, else 1 */
 } griffith_array;
 
 /* Returns a view of an array. */
@@ -285,6 +286,18 @@ GRIFFITH_API griffith_status griffith_world_array(const griffith_world* world, i
  * frame. To draw a vertex, rotate it by the body's orientation and add its position. Vertices of a piece change when it
  * cracks or deforms, and its version changes with them. Earlier views of surfaces become invalid. */
 GRIFFITH_API griffith_status griffith_world_update_surfaces(griffith_world* world, griffith_error* error);
+
+/* --- Quantities of a frame ------------------------------------------------------------------------------------------
+ */
+
+/* Returns the number of quantities: what `griffith simulate --export` writes, computed from the arrays of a frame. */
+GRIFFITH_API int32_t griffith_quantity_count(void);
+/* Describes quantity `index`; null outside 0..griffith_quantity_count() - 1. */
+GRIFFITH_API const griffith_value_info* griffith_quantity_describe(int32_t index);
+/* Computes a quantity by its name: "von_mises". One entry per node or tet: float64, float64[3] or float64[3][3]; valid
+ * until the next one of this world. */
+GRIFFITH_API griffith_status griffith_world_quantity(griffith_world* world, const char* name, griffith_array* view,
+                                                     griffith_error* error);
 
 /* --- Pictures ----------------------------------------------------------------------------------------------------- */
 

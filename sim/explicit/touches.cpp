@@ -5,7 +5,7 @@
 #include "sim/core/parallel.h"
 #include "sim/explicit/four_sides.h"
 #include "sim/explicit/microstep_contacts.h"
-#include "sim/geometry/closest_on_triangle.h"
+#include "sim/geometry/triangle.h"
 
 namespace griffith::explicit_dynamics {
 namespace {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace griffith {
@@ -23,5 +25,8 @@ class DisjointSets {
  private:
   std::vector<int> parents_;
 };
+
+/// Returns the connected components of a graph: for each node, the smallest index in its component.
+std::vector<int> connected_groups(int count, std::span<const std::pair<int, int>> edges);
 
 }  // namespace griffith

@@ -1,7 +1,7 @@
 #include "sim/core/error.h"
 #include "sim/mesh/file_cursor.h"
 #include "sim/mesh/mesh_formats.h"
-#include "sim/mesh/read_points.h"
+#include "sim/mesh/read_mesh.h"
 
 namespace griffith {
 namespace {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
+#include "sim/core/linear_algebra.h"
 #include "sim/mesh/mesh_cells.h"
 
 namespace griffith {
@@ -16,5 +18,9 @@ TetSoup read_mesh(const std::filesystem::path& path, CellReport* report = nullpt
 
 /// True if the suffix of the path is of one of the formats above, or the path is a folder.
 bool is_mesh_path(const std::filesystem::path& path);
+
+/// Reads points from a text file: x, y, z on each line, separated by blanks, commas or semicolons. A heading line is
+/// skipped, and `#` starts a comment. Throws InputError, naming the line, for other content and if there is no point.
+std::vector<Vec3> read_points(const std::filesystem::path& path);
 
 }  // namespace griffith

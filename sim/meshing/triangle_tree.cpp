@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "sim/geometry/closest_on_triangle.h"
+#include "sim/geometry/triangle.h"
 
 namespace griffith {
 namespace {

@@ -41,6 +41,8 @@ Json value_json(const std::string& value, const Text&) { return value; }
 
 Json value_json(const std::string& value, const OneOf&) { return value; }
 
+Json value_json(const std::vector<std::string>& values, const OneOf&) { return values; }
+
 Json value_json(const std::filesystem::path& path, MeshPath) { return path.generic_string(); }
 
 }  // namespace griffith

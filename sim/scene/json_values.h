@@ -24,6 +24,7 @@ Json value_json(const std::vector<int>& values, const Numbers& numbers);
 Json value_json(const std::vector<Vec3>& values, const Numbers& numbers);
 Json value_json(const std::string& value, const Text& text);
 Json value_json(const std::string& value, const OneOf& one_of);
+Json value_json(const std::vector<std::string>& values, const OneOf& one_of);
 Json value_json(const std::filesystem::path& path, MeshPath);
 /// The result's type is a parameter because it is complete only where the JSON library is included.
 template <class Enum, class Result = Json>

@@ -20,14 +20,12 @@ struct ProbeNode {
 };
 using ProbePlace = std::variant<ProbePoint, ProbeNode, Region>;
 
-enum class ProbeQuantity { displacement, velocity, stress, principal_stress, separation, reaction };
-
 /// Values recorded in every frame under a name. Values of a region are means over its nodes, but reactions are summed.
 struct Probe {
   std::string name = "probe";
   std::string body = "body";  ///< name of a body
   ProbePlace at;
-  std::vector<ProbeQuantity> quantities = {ProbeQuantity::displacement};
+  std::vector<std::string> quantities = {"displacement"};  ///< keys of probe_quantities()
   bool operator==(const Probe&) const = default;
 };
 

@@ -175,6 +175,13 @@ void read(const Place& place, std::string& value, const OneOf& one_of) {
   if (const int index = read_name(place, one_of.names, one_of.renamed); index >= 0) value = one_of.names[index];
 }
 
+void read(const Place& place, std::vector<std::string>& values, const OneOf& one_of) {
+  const std::optional<std::vector<int>> indices = read_names(place, one_of.names);
+  if (!indices) return;
+  values.clear();
+  for (const int index : *indices) values.emplace_back(one_of.names[static_cast<std::size_t>(index)]);
+}
+
 void read(const Place& place, std::filesystem::path& value, MeshPath kind) {
   std::string text;
   const std::size_t before = place.document.problems.size();

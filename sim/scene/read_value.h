@@ -53,6 +53,8 @@ void read(const Place& place, std::vector<int>& values, const Numbers& numbers);
 void read(const Place& place, std::vector<Vec3>& values, const Numbers& numbers);
 void read(const Place& place, std::string& value, const Text& text);
 void read(const Place& place, std::string& value, const OneOf& one_of);
+/// Reads a list of names, each of them once or more.
+void read(const Place& place, std::vector<std::string>& values, const OneOf& one_of);
 void read(const Place& place, std::filesystem::path& value, MeshPath);
 
 /// Returns the index in `names` of the name at the place, or -1 after a report.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -32,5 +34,10 @@ using Region = std::variant<BoxRegion, SphereRegion, HalfSpaceRegion, NodeListRe
 /// True if the node at rest position `point` with index `node` lies in the region. Boundaries are included, with a
 /// tolerance of `tolerance` [m].
 bool contains(const Region& region, const Vec3& point, int node, double tolerance);
+
+/// Returns per node of a body: 1 if it lies in the region, boundaries included, with a tolerance of 1e-9 of the body's
+/// size. `points`: all of the body's nodes, in its rest space [m]; `numbers`: their indices in the body's mesh as built
+/// or read, used by regions.
+std::vector<std::uint8_t> nodes_in(const Region& region, std::span<const Vec3> points, std::span<const int> numbers);
 
 }  // namespace griffith

@@ -4,6 +4,7 @@
 
 #include "sim/mesh/mesh_limits.h"
 #include "sim/scene/field.h"
+#include "sim/scene/quantities.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/shape_fields.h"
 #include "sim/scene/splinter_fields.h"
@@ -345,9 +346,7 @@ void describe(Archive& archive, Probe& probe) {
   archive.field("name", probe.name, Text{1}, "Name, different from every other probe's: its columns start with it");
   archive.field("body", probe.body, Text{1}, "Name of a body");
   archive.field("at", probe.at, Parts{}, "Place of the measurement");
-  archive.field("quantities", probe.quantities,
-                OneOf{{"displacement", "velocity", "stress", "principal_stress", "separation", "reaction"}},
-                "Measured quantities");
+  archive.field("quantities", probe.quantities, OneOf{keys_of(probe_quantities())}, "Measured quantities");
 }
 
 template <class Archive>

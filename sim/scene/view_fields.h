@@ -1,8 +1,9 @@
 #pragma once
 
 #include "sim/scene/field.h"
+#include "sim/scene/quantities.h"
 #include "sim/scene/scene.h"
-#include "sim/scene/view_quantity.h"
+#include "sim/scene/view_names.h"
 
 // Fields of cameras and views, a part of the table in scene_fields.h.
 
@@ -29,9 +30,7 @@ template <class Archive>
 void describe(Archive& archive, ViewSettings& view) {
   Numbers range = between(-1e15, 1e15);
   range.ascending = true;
-  OneOf quantities;
-  for (const ViewQuantity& quantity : view_quantities()) quantities.names.push_back(quantity.key);
-  quantities.renamed = {{"margin", "utilization"}};
+  const OneOf quantities = {keys_of(view_quantities()), {{"margin", "utilization"}}};
   OneOf layers;
   for (const ViewLayerInfo& layer : view_layers()) layers.names.push_back(layer.key);
   const auto maps = color_map_names(), styles = element_style_names(), qualities = picture_quality_names();

@@ -10,7 +10,7 @@
 #include "sim/solver/contact_preconditioner.h"
 #include "sim/solver/contact_response.h"
 #include "sim/solver/contact_softness.h"
-#include "sim/solver/gmres.h"
+#include "sim/solver/linear_solvers.h"
 #include "sim/solver/zero_of.h"
 
 namespace griffith {

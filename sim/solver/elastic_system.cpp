@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "sim/mesh/topology.h"
-#include "sim/solver/direct_solve.h"
+#include "sim/solver/linear_solvers.h"
 #include "sim/solver/pivot.h"
 #include "sim/solver/rigid_motion.h"
 

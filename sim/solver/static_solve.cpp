@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "sim/mesh/topology.h"
-#include "sim/solver/direct_solve.h"
+#include "sim/solver/linear_solvers.h"
 #include "sim/solver/rigid_motion.h"
 
 namespace griffith {

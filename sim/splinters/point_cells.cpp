@@ -4,7 +4,7 @@
 
 #include "sim/core/error.h"
 #include "sim/core/file_path.h"
-#include "sim/mesh/read_points.h"
+#include "sim/mesh/read_mesh.h"
 #include "sim/splinters/convex_cells.h"
 
 namespace griffith {

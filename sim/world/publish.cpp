@@ -1,6 +1,12 @@
 #include "sim/world/publish.h"
 
-#include "sim/world/contact_views.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <tuple>
+#include <utility>
+
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/world_state.h"
 
@@ -56,27 +62,75 @@ ProjectileView view_of(const Projectile& projectile, const RigidState& state) {
 }  // namespace
 
 void publish(WorldState& world) {
-  world.totals = {};
-  world.body_views.resize(world.bodies.size());
-  world.projectile_views.clear();
+  world.output.totals = {};
+  world.output.bodies.resize(world.bodies.size());
+  world.output.projectiles.clear();
   for (const Body& body : world.bodies) {
-    BodyView& view = world.body_views[body.id];
+    BodyView& view = world.output.bodies[body.id];
     if (!still_shows(view, body)) view = view_of(body);
   }
-  add_nodes(world, world.totals);
+  add_nodes(world, world.output.totals);
   for (const Body& body : world.bodies)
-    if (!body.rigid) world.totals.kinetic_energy += kinetic_energy_of_edges(world, body);
+    if (!body.rigid) world.output.totals.kinetic_energy += kinetic_energy_of_edges(world, body);
   for (std::size_t i = 0; i < world.elements.rest_elements.size(); ++i)
-    world.totals.elastic_energy += world.elements.rest_elements[i].volume * world.elements.states[i].energy_density;
+    world.output.totals.elastic_energy +=
+        world.elements.rest_elements[i].volume * world.elements.states[i].energy_density;
   for (const Projectile& projectile : world.projectiles) {
     const RigidState state = world.contact_world.state(projectile.object);
-    world.projectile_views.push_back(view_of(projectile, state));
-    add_projectile(projectile, state, world.totals);
+    world.output.projectiles.push_back(view_of(projectile, state));
+    add_projectile(projectile, state, world.output.totals);
   }
-  merge_contacts(world);
-  close_account(world, world.totals.elastic_energy);
-  world.load_forces.assign(world.loads.empty() ? 0 : world.nodes.positions.size(), Vec3::Zero());
-  if (!world.loads.empty()) add_load_forces(world, world.time, world.load_forces);
+  world.output.contacts = merged_contacts(world, world.output.contacts);
+  close_account(world, world.output.totals.elastic_energy);
+  world.output.load_forces.assign(world.loads.empty() ? 0 : world.nodes.positions.size(), Vec3::Zero());
+  if (!world.loads.empty()) add_load_forces(world, world.time, world.output.load_forces);
+}
+
+namespace {
+
+/// Returns the cell of a contact, half an element in size: contacts in one cell are shown as one.
+std::array<std::int64_t, 3> contact_cell(const WorldState& world, const ContactView& contact) {
+  const BodyId body = contact.a.valid() ? contact.a : contact.b;
+  if (!body.valid()) return {};
+  const Vec3 place = contact.position / (0.5 * world.bodies[body].element_size);
+  constexpr double kFarthest = 1e15;
+  std::array<std::int64_t, 3> cell;
+  for (int i = 0; i < 3; ++i) cell[i] = std::llround(std::clamp(place[i], -kFarthest, kFarthest));
+  return cell;
+}
+
+}  // namespace
+
+void add_contacts(const WorldState& world, std::vector<ContactView>& views) {
+  for (const Contact& contact : world.contact_world.contacts()) {
+    if (contact.impulse.isZero(0)) continue;
+    views.push_back(
+        {world.body_of(contact.a), world.body_of(contact.b), contact.position, contact.normal, contact.impulse});
+  }
+}
+
+void merge(ContactView& contact, const ContactView& other) {
+  const double weight = contact.impulse.norm(), other_weight = other.impulse.norm(), sum = weight + other_weight;
+  contact.position = (weight * contact.position + other_weight * other.position) / sum;
+  contact.normal = (weight * contact.normal + other_weight * other.normal).normalized();
+  contact.impulse += other.impulse;
+}
+
+std::vector<ContactView> merged_contacts(const WorldState& world, std::span<const ContactView> views) {
+  using Key = std::tuple<BodyId, BodyId, std::array<std::int64_t, 3>>;
+  std::vector<std::pair<Key, ContactView>> contacts;
+  for (const ContactView& contact : views)
+    contacts.emplace_back(Key(contact.a, contact.b, contact_cell(world, contact)), contact);
+  std::ranges::stable_sort(contacts, {}, &std::pair<Key, ContactView>::first);
+  std::vector<ContactView> merged;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (i > 0 && contacts[i].first == contacts[i - 1].first) {
+      merge(merged.back(), contacts[i].second);
+    } else {
+      merged.push_back(contacts[i].second);
+    }
+  }
+  return merged;
 }
 
 }  // namespace griffith

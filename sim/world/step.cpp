@@ -1,16 +1,16 @@
 #include "sim/world/step.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <utility>
 
 #include "sim/world/conditions/projectiles.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/explicit/explicit_obstacles.h"
 #include "sim/world/explicit/explicit_regime.h"
 #include "sim/world/explicit/similarity.h"
+#include "sim/world/phase_timer.h"
 #include "sim/world/phases/contact_phase.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/equilibrium.h"
@@ -21,60 +21,30 @@
 #include "sim/world/phases/rest_phase.h"
 #include "sim/world/phases/separation_phase.h"
 #include "sim/world/publish.h"
-#include "sim/world/world.h"
-#include "sim/world/world_impl.h"
 #include "sim/world/world_state.h"
 
 namespace griffith {
 namespace {
 
-/// Adds the milliseconds of its lifetime to a phase; for display only.
-class PhaseTimer {
- public:
-  explicit PhaseTimer(double& milliseconds) : milliseconds_(milliseconds), start_(Clock::now()) {}
-  ~PhaseTimer() { milliseconds_ += std::chrono::duration<double, std::milli>(Clock::now() - start_).count(); }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  double& milliseconds_;
-  Clock::time_point start_;
-};
-
 /// Finds separation and fracture under the stresses after a substep of this length [s].
 void fracture(WorldState& world, double substep) {
-  {
-    PhaseTimer timer(world.report.milliseconds.separation);
-    evaluate_separation(world, world.model->scene.analysis == Analysis::dynamic);
-  }
-  if (!world.model->scene.simulation.fracture) return;
-  PhaseTimer timer(world.report.milliseconds.fracture);
-  open_cracks(world, substep);
+  StepTimings& ms = world.report.milliseconds;
+  const bool averaged = world.model->scene.analysis == Analysis::dynamic;
+  timed(ms.separation, [&] { evaluate_separation(world, averaged); });
+  if (world.model->scene.simulation.fracture) timed(ms.fracture, [&] { open_cracks(world, substep); });
 }
 
 /// Computes contacts and motion of all objects except the bodies in explicit dynamics.
 void move(WorldState& world, double dt) {
-  StepTimings& timings = world.report.milliseconds;
+  StepTimings& ms = world.report.milliseconds;
   update_supports(world, world.time, dt);
-  {
-    PhaseTimer timer(timings.contact);
-    find_contacts(world, dt);
-  }
-  record_substep_start(world);
-  std::vector<Vec3> external;
-  {
-    PhaseTimer timer(timings.elasticity);
-    assemble_systems(world, dt);
-    external = external_forces(world, dt);
-    predict_velocities(world, external, dt);
-  }
-  {
-    PhaseTimer timer(timings.contact);
-    resolve_contacts(world, dt);
-  }
-  {
-    PhaseTimer timer(timings.elasticity);
-    move_bodies(world, external, dt);
-  }
+  timed(ms.contact, [&] { find_contacts(world, dt); });
+  record_substep_start(world, world.scratch);
+  timed(ms.elasticity, [&] { assemble_systems(world, dt); });
+  const std::vector<Vec3> external = external_forces(world, dt);
+  timed(ms.elasticity, [&] { predict_velocities(world, external, dt); });
+  timed(ms.contact, [&] { resolve_contacts(world, dt); });
+  timed(ms.elasticity, [&] { move_bodies(world, external, dt); });
 }
 
 void take_substep(WorldState& world, double dt) {
@@ -122,10 +92,11 @@ bool move_along(WorldState& world, double substep, double max_work) {
   const std::vector<explicit_dynamics::Obstacle> obstacles = reachable_obstacles(world, substep);
   move(world, substep);
   if (!any_explicit(world)) return true;
-  PhaseTimer timer(world.report.milliseconds.explicit_dynamics);
-  if (!run_explicit(world, obstacles, substep, max_work)) return false;
-  place_proxies(world);
-  return true;
+  return timed(world.report.milliseconds.explicit_dynamics, [&] {
+    const bool is_done = run_explicit(world, obstacles, substep, max_work);
+    if (is_done) place_proxies(world);
+    return is_done;
+  });
 }
 
 /// Moves everything on by `substep` [s]. Where that takes more than half of the work that is left for microsteps in
@@ -150,25 +121,22 @@ bool move_within_ceiling(WorldState& world, double substep) {
 /// microsteps cracks.
 void step_in_substeps(WorldState& world, double time_step) {
   constexpr double kRounding = 1e-9;
+  StepTimings& ms = world.report.milliseconds;
   world.report.substeps = 0;
   world.scratch.microstep_work = 0;
   StepImpacts impacts;
   for (double left = time_step; left > kRounding * time_step; ++world.report.substeps) {
     const double start = world.time, substep = next_substep(world, left, impacts);
-    {
-      PhaseTimer timer(world.report.milliseconds.explicit_dynamics);
-      impacts.follow_alone(world, substep);
-    }
+    timed(ms.explicit_dynamics, [&] { impacts.follow_alone(world, substep); });
     if (!move_within_ceiling(world, substep)) continue;
     impacts.catch_up(world);
     world.time = start + substep;
     left -= substep;
     end_explicit_if_quiet(world);
-    {
-      PhaseTimer timer(world.report.milliseconds.separation);
+    timed(ms.separation, [&] {
       evaluate_separation(world, true);
       begin_explicit_if_overloaded(world);
-    }
+    });
     if (world.model->scene.simulation.fracture) open_cracks(world, substep);
   }
   world.last_microstep_work = world.scratch.microstep_work;
@@ -198,11 +166,10 @@ void step_statically(WorldState& world, double time_step) {
   world.in_equilibrium = false;
   int cracks_before = -1;
   for (world.report.substeps = 0; world.report.cracks > cracks_before; ++world.report.substeps) {
-    {
-      PhaseTimer timer(world.report.milliseconds.elasticity);
+    timed(world.report.milliseconds.elasticity, [&] {
       find_equilibrium(world, world.time, displacement_time, [](const Body&) { return true; });
       update_elements(world);
-    }
+    });
     displacement_time = 0;
     if (world.report.substeps == budget) {
       ++world.report.unfinished_equilibria;
@@ -223,54 +190,53 @@ bool all_lie_asleep(const WorldState& world) {
          });
 }
 
-void step_by_settings(WorldState& world, double time_step, double last_peak) {
-  const SimulationSettings& settings = world.model->scene.simulation;
-  if (world.model->scene.analysis == Analysis::static_) {
-    if (stays_in_equilibrium(world, world.time, time_step)) {
-      world.report.peak_utilization = last_peak;
-    } else {
-      step_statically(world, time_step);
-    }
-  } else if (world.integrates_explicitly()) {
-    step_explicitly(world, time_step);
-  } else if (settings.integrator == Integrator::hybrid) {
-    step_in_substeps(world, time_step);
+void move_by_integrator(WorldState& world, double time_step) {
+  if (world.integrates_explicitly()) return step_explicitly(world, time_step);
+  const bool is_hybrid = world.model->scene.simulation.integrator == Integrator::hybrid;
+  is_hybrid ? step_in_substeps(world, time_step) : step_implicitly(world, time_step);
+}
+
+/// Reports that nothing has changed since the step with the report `last`.
+void stand_still(WorldState& world, const StepReport& last) {
+  world.report.peak_utilization = last.peak_utilization;
+  world.report.sleeping_bodies = static_cast<int>(std::ranges::count_if(world.bodies, &Body::asleep));
+}
+
+/// Makes the step that follows the step with the report `last`. Returns false if all are asleep, so that nothing
+/// changes but the time.
+bool make_step(WorldState& world, const StepReport& last) {
+  const double time_step = world.model->scene.simulation.time_step;
+  launch_projectiles(world);
+  update_supports(world, world.time, time_step);
+  make_loaded_bodies_elastic(world, {world.time - time_step, world.time}, {world.time, world.time + time_step});
+  make_first_struck_elastic(world, time_step);
+  const bool is_static = world.model->scene.analysis == Analysis::static_, asleep = all_lie_asleep(world);
+  if (!asleep) make_elements_own(world);
+  if (asleep || (is_static && stays_in_equilibrium(world, world.time, time_step))) {
+    stand_still(world, last);
   } else {
-    step_implicitly(world, time_step);
+    is_static ? step_statically(world, time_step) : move_by_integrator(world, time_step);
   }
+  ++world.step;
+  world.time = static_cast<double>(world.step) * time_step;
+  return !asleep;
+}
+
+/// Clears what the report and the views say of the last step. Returns its report.
+StepReport begin_report(WorldState& world) {
+  world.output.contacts.clear();
+  world.energy_before = world.energy;
+  for (Body& body : world.bodies)
+    if (!body.explicit_state) body.scaled.reset();
+  return std::exchange(world.report, {});
 }
 
 }  // namespace
 
-void World::step() { advance(impl_->state); }
-
 void advance(WorldState& world) {
-  const double last_peak = world.report.peak_utilization;
-  world.report = {};
-  world.contact_views.clear();
-  world.energy_before = world.energy;
-  for (Body& body : world.bodies)
-    if (!body.explicit_state) body.scaled.reset();
-  bool asleep = false;
-  {
-    PhaseTimer timer(world.report.milliseconds.step);
-    const double time_step = world.model->scene.simulation.time_step;
-    launch_projectiles(world);
-    update_supports(world, world.time, time_step);
-    make_loaded_bodies_elastic(world, {world.time - time_step, world.time}, {world.time, world.time + time_step});
-    make_first_struck_elastic(world, time_step);
-    asleep = all_lie_asleep(world);
-    if (asleep) {
-      world.report.peak_utilization = last_peak;
-      world.report.sleeping_bodies = static_cast<int>(world.bodies.size());
-    } else {
-      make_elements_own(world);
-      step_by_settings(world, time_step, last_peak);
-    }
-    ++world.step;
-    world.time = static_cast<double>(world.step) * time_step;
-  }
-  if (!asleep) publish(world);
+  const StepReport last = begin_report(world);
+  const bool has_changed = timed(world.report.milliseconds.step, [&] { return make_step(world, last); });
+  if (has_changed) publish(world);
 }
 
 }  // namespace griffith

@@ -19,10 +19,15 @@
 #include "sim/world/setup/build_world.h"
 #include "sim/world/setup/check_elements.h"
 #include "sim/world/setup/residual_strains.h"
-#include "sim/world/world_impl.h"
+#include "sim/world/step.h"
 #include "sim/world/world_state.h"
 
 namespace griffith {
+
+struct World::Impl {
+  WorldState state;
+};
+
 namespace {
 
 /// Takes on the material that is in force now.
@@ -61,7 +66,7 @@ void restore_start(WorldState& world, int scene_body) {
     for (EdgeId edge : body.edges) world.edges.offsets[edge].setZero();
     for (TetId tet : body.tets) world.elements.states.edit()[tet] = {};
   }
-  reset_residual_strains(world, scene_body);
+  reset_residual_strains(world, scene_body, world.elements);
 }
 
 /// Evaluates separation again under the present material. Postponed cracks are dropped, since others would have to
@@ -87,7 +92,7 @@ World::World(const Scene& scene, const InMemoryMeshes& meshes, const Monitor& mo
 World::~World() = default;
 World::World(const World& other) : impl_(std::make_unique<Impl>(*other.impl_)) {
   WorldState& world = impl_->state;  // views refer to data of the bodies of this world
-  for (BodyView& view : world.body_views) view.collision_parts = world.bodies[view.id].collision_parts;
+  for (BodyView& view : world.output.bodies) view.collision_parts = world.bodies[view.id].collision_parts;
 }
 World& World::operator=(const World& other) { return *this = World(other); }
 World::World(World&&) noexcept = default;
@@ -105,7 +110,7 @@ Frame World::frame() const {
   frame.nodes.masses = world.nodes.masses;
   frame.nodes.has_support = world.nodes.has_support;
   frame.nodes.constraints = world.nodes.constraints;
-  frame.nodes.load_forces = world.load_forces;
+  frame.nodes.load_forces = world.output.load_forces;
   frame.nodes.at_crack_front = world.nodes.at_crack_front;
   frame.nodes.separations = world.nodes.separations;
   frame.nodes.reactions = world.nodes.reactions;
@@ -124,26 +129,28 @@ Frame World::frame() const {
   frame.edges.offsets = world.edges.offsets;
   frame.materials = world.materials;
   frame.weaknesses = world.model->weaknesses;
-  frame.bodies = world.body_views;
+  frame.bodies = world.output.bodies;
   frame.splinters.splinters = world.model->splinters.splinters;
   frame.splinters.parts = world.model->splinters.parts;
   frame.splinters.faces = world.model->splinters.faces;
   frame.splinters.corners = world.model->splinters.corners;
   frame.splinters.attached = world.splinter_state.attached;
   frame.splinters.open_walls = world.splinter_state.open_walls;
-  frame.projectiles = world.projectile_views;
-  frame.contacts = world.contact_views;
+  frame.projectiles = world.output.projectiles;
+  frame.contacts = world.output.contacts;
   frame.probes = world.probes;
   frame.crack_events = world.crack_events;
   frame.fragments = static_cast<int>(
       std::count_if(world.bodies.begin(), world.bodies.end(), [](const Body& body) { return body.parent.valid(); }));
-  frame.totals = world.totals;
+  frame.totals = world.output.totals;
   frame.energy = frame.energy_of_step = world.energy;
   frame.energy_of_step -= world.energy_before;
   frame.report = world.report;
   frame.element_choices = world.model->element_choices;
   return frame;
 }
+
+void World::step() { advance(impl_->state); }
 
 const std::vector<InputError>& World::findings() const { return impl_->state.model->findings; }
 

@@ -51,14 +51,6 @@ struct Rest {
   double peak_utilization = 0;  ///< largest utilization of its nodes
 };
 
-/// State of a rigid body at the start of a substep, and the external loads on it.
-struct RigidStart {
-  Vec3 velocity = Vec3::Zero(), angular_velocity = Vec3::Zero();
-  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();  ///< external, gravity too [N], [N·m]
-  bool rigid = false;                                ///< true if contacts made it elastic in the substep
-  bool falls = false;                                ///< gravity acted on it: what sleeps at first is not moved by it
-};
-
 /// Connected piece of elastic material and its proxy in the contact world.
 struct alignas(64) Body {
   // What a step asks of every body, awake or not, in one line of the cache.
@@ -87,9 +79,6 @@ struct alignas(64) Body {
   double extent = 0;                        ///< longest edge of the box around it at rest [m]
   double weakest_fraction = 1;              ///< fraction of its material's resistance at its weakest node and plane [-]
   std::optional<ScaledImpact> scaled;       ///< record of the last step, if any
-  double energy = 0;                        ///< kinetic and elastic, when the substep began [J]
-  double contact_work = 0;                  ///< work of the contacts in the substep, at the velocities after it [J]
-  RigidStart start;                         ///< start of the present substep
   std::vector<ContactLoad> known_contact_loads;  ///< loads on a rigid body when it was found quiescent, by object
   Rest rest;                                     ///< rest of a deformable body
   double explicit_ended =
@@ -124,6 +113,21 @@ struct PostponedCrack {
   NodeSeparation separation;
 };
 
+/// State of a rigid body at the start of a substep, and the external loads on it.
+struct RigidStart {
+  Vec3 velocity = Vec3::Zero(), angular_velocity = Vec3::Zero();
+  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();  ///< external, gravity too [N], [N·m]
+  bool rigid = false;                                ///< true if contacts made it elastic in the substep
+  bool falls = false;                                ///< gravity acted on it: what sleeps at first is not moved by it
+};
+
+/// Temporary data of a body in a substep.
+struct BodyStep {
+  RigidStart start;
+  double energy = 0;        ///< kinetic and elastic, when the substep began [J]
+  double contact_work = 0;  ///< work of the contacts, at the velocities after it [J]
+};
+
 /// Velocities and places at the start of a substep, for the energy account.
 struct SubstepStart {
   std::vector<Vec3> velocities;                               ///< per node [m/s]
@@ -135,6 +139,7 @@ struct SubstepStart {
 /// Temporary data of a step.
 struct Scratch {
   SubstepStart substep_start;
+  std::vector<BodyStep> bodies;                ///< by BodyId, from record_substep_start() on
   double microstep_work = 0;                   ///< work of the step so far, in microseconds of a typical core
   std::vector<NodeLoadSums> node_load_sums;    ///< per node: what separation follows from
   std::vector<simd::WideQuad> elastic_forces;  ///< per node, in the first three lanes [N]
@@ -147,6 +152,15 @@ struct Scratch {
   /// Copies of a world stand between steps.
   Scratch(const Scratch&) {}
   Scratch& operator=(const Scratch&) { return *this = Scratch(); }
+};
+
+/// Output of a step for the frame, besides the state itself.
+struct StepOutput {
+  std::vector<BodyView> bodies;  ///< by BodyId
+  std::vector<ProjectileView> projectiles;
+  std::vector<ContactView> contacts;
+  std::vector<Vec3> load_forces;  ///< per node [N]; empty without loads
+  Totals totals;
 };
 
 /// State of a world between two steps, a value: a copy continues with the same bits as the original.
@@ -177,11 +191,7 @@ struct WorldState {
   std::vector<PostponedCrack> postponed;
   std::vector<CohesiveFace> cohesive_faces;  ///< cohesive faces of bodies in explicit dynamics, for full stiffness
   StepReport report;
-  std::vector<BodyView> body_views;
-  std::vector<ProjectileView> projectile_views;
-  std::vector<ContactView> contact_views;
-  std::vector<Vec3> load_forces;  ///< per node, for the frame [N]; empty without loads
-  Totals totals;
+  StepOutput output;
   EnergyAccount energy, energy_before;  ///< so far; before the present step
   double last_microstep_work = 0;       ///< Scratch::microstep_work of the last step
   double explicit_overhead = 1;  ///< work of the last substep's explicit dynamics over that of its elements alone [-]

@@ -7,6 +7,7 @@
 
 #include "sim/core/error.h"
 #include "sim/mesh/read_mesh.h"
+#include "sim/scene/quantities.h"
 #include "sim/world/world.h"
 #include "tests/world/scenes.h"
 
@@ -47,6 +48,8 @@ TEST(ExportFrameFields, EveryFieldIsThere) {
        {"displacement [m]", "velocity [m/s]", "reaction [N]", "separation_stress [Pa]", "utilization",
         "separation_direction", "stress [Pa]", "von_mises [Pa]", "body", "scene_body"})
     EXPECT_NE(text.str().find('"' + std::string(name) + '"'), std::string::npos) << name;
+  for (const Quantity* quantity : file_quantities())
+    EXPECT_NE(text.str().find("Name=\"" + std::string(quantity->key)), std::string::npos) << quantity->key;
 }
 
 TEST(ExportFrameFields, QuadraticTetsAreQuadraticCells) {

@@ -22,7 +22,7 @@ Scene probed_wall() {
   Probe probe;
   probe.name = "top, \"left\"";
   probe.body = scene.bodies[0].name;
-  probe.quantities = {ProbeQuantity::velocity};
+  probe.quantities = {"velocity"};
   scene.probes = {probe};
   return scene;
 }

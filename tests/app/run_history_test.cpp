@@ -166,7 +166,7 @@ TEST(RunHistory, ProbesAreSeriesWithTheirUnits) {
   Probe probe;
   probe.name = "top [left]";
   probe.body = scene.bodies[0].name;
-  probe.quantities = {ProbeQuantity::velocity};
+  probe.quantities = {"velocity"};
   scene.probes = {probe};
   Timeline timeline{World(scene)};
   RunHistory history;

@@ -1,5 +1,3 @@
-#include "app/picture/splinter_picture.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "app/output/export_pieces.h"
 #include "app/picture/draw_scene_from_frame.h"
+#include "app/picture/embedded_picture.h"
 #include "enclosed_volume.h"
 #include "program.h"
 #include "renderer/egl_context.h"

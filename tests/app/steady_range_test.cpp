@@ -12,7 +12,7 @@ namespace griffith::app {
 namespace {
 
 Vec2 range_now(const Frame& frame, const std::string& quantity) {
-  return automatic_range(frame, quantity, quantity_values(frame, quantity));
+  return automatic_range(frame, quantity, quantity_values(frame, *find_quantity(quantity)));
 }
 
 TEST(SteadyRange, GrowsAtOnceAndShrinksSlowlyWhereTheRangeOfAFrameAloneJumps) {

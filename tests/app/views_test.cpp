@@ -14,7 +14,8 @@
 #include "app/picture/shown_mesh.h"
 #include "program.h"
 #include "renderer/egl_context.h"
-#include "sim/scene/view_quantity.h"
+#include "sim/scene/quantities.h"
+#include "sim/scene/view_names.h"
 #include "sim/world/world.h"
 
 namespace griffith::app {
@@ -136,9 +137,9 @@ TEST_F(ViewsTest, EveryLayerShowsItsSignsInItsColors) {
 
 TEST_F(ViewsTest, EveryQuantityAndStyleGivesAPictureOfItsOwn) {
   std::map<std::string, render::Image> pictures;
-  for (const ViewQuantity& quantity : view_quantities()) {
-    if (quantity.key == "splinter" || quantity.key == "texture") continue;  // the wall has neither
-    pictures[std::string(quantity.key)] = picture(*broken_, std::string(quantity.key) + "+exploded");
+  for (const Quantity* quantity : view_quantities()) {
+    if (quantity->key == "splinter" || quantity->key == "texture") continue;  // the wall has neither
+    pictures[std::string(quantity->key)] = picture(*broken_, std::string(quantity->key) + "+exploded");
   }
   for (const char* name : {"wireframe", "shrunken", "slice", "exploded", "surface"})
     pictures[name] = picture(*broken_, name);
@@ -186,7 +187,7 @@ TEST_F(ViewsTest, UnlitPixelsHaveTheLegendsColorOfTheirElementsValue) {
   view.shading = view.edges = false;
   view.range = Vec2(1e3, 9e4);
   const Frame frame = struck_->frame();
-  const QuantityValues values = quantity_values(frame, view.quantity);
+  const QuantityValues values = quantity_values(frame, *find_quantity(view.quantity));
   auto drawn = draw_scene_from_frame(frame, embedded_display(frame, scene_), scene_, view, {});
   drawn.ground.reset();  // it hides what rests on it and sinks in by a hair
   renderer_->render(drawn, {{1.5f, 1.7f, 3.2f}, {0, 1, 0}, 40}, picture_options(kWidth, kHeight, 1, view));

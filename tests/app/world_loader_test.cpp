@@ -2,13 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <future>
 
 #include "app/shared/expected_mesh.h"
 #include "program.h"
 #include "sim/core/error.h"
-#include "sim/world/setup/shapes.h"
+#include "sim/world/setup/shape_mesh.h"
 
 namespace griffith::app {
 namespace {
@@ -22,11 +21,8 @@ Scene scene_of(const Shape& shape) {
   return scene;
 }
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-TEST(WorldLoader, CancelReturnsAtOnceHoweverSeldomTheWorkAsks) {
+/// The work goes on until the test lets it end, so a call that waited for it would never return.
+TEST(WorldLoader, CancelDoesNotWaitForTheWork) {
   std::promise<void> end, begun;
   WorldLoader loader;
   const auto deaf = [&](const Monitor&) {
@@ -36,12 +32,9 @@ TEST(WorldLoader, CancelReturnsAtOnceHoweverSeldomTheWorkAsks) {
   };
   loader.start(LoadReason::open, deaf, "", kAnyMany);
   begun.get_future().wait();
-  const auto start = std::chrono::steady_clock::now();
   loader.cancel();
-  EXPECT_LT(seconds_since(start), 0.3);
   EXPECT_TRUE(loader.stage().empty());
   loader.start(LoadReason::follow, scene_of(SphereShape{}), "", kAnyMany);
-  EXPECT_LT(seconds_since(start), 0.3);
   ASSERT_TRUE(loader.wait(60));
   EXPECT_TRUE(std::holds_alternative<SphereShape>(loader.take()->scene.bodies[0].shape)) << "not the cancelled one";
   end.set_value();

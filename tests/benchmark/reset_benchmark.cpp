@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "app/picture/draw_scene_from_frame.h"
-#include "app/picture/skin_picture.h"
+#include "app/picture/embedded_picture.h"
 #include "sim/world/world.h"
 
 namespace griffith {

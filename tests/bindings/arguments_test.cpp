@@ -29,7 +29,7 @@ class Caller {
   griffith_status call_any() {
     wants_error_ = random_.index(8) != 0;
     griffith_error* error = wants_error_ ? &error_ : nullptr;
-    switch (random_.index(16)) {
+    switch (random_.index(17)) {
       case 0:
         return keep(scenes_, [&](griffith_scene** made) { return griffith_scene_parse(text(), text(), made, error); });
       case 1:
@@ -72,7 +72,12 @@ class Caller {
         return griffith_world_array(world(), random_.index(GRIFFITH_ARRAY_COUNT + 10) - 5,
                                     random_.index(9) ? &view : nullptr, error);
       }
-      case 14:
+      case 14: {
+        griffith_array view;
+        const char* name = random_.index(2) ? "von_mises" : field();
+        return griffith_world_quantity(world(), name, random_.index(9) ? &view : nullptr, error);
+      }
+      case 15:
         return griffith_world_update_surfaces(world(), error);
       default:
         return random_.index(2) ? griffith_world_start_recording(world(), error)

@@ -73,6 +73,26 @@ TEST(CArrays, AllAreDescribedByDifferentNames) {
   EXPECT_FALSE(griffith_array_describe(GRIFFITH_ARRAY_COUNT));
 }
 
+TEST(CArrays, QuantitiesAreThoseOfFiles) {
+  const OwnedWorld world = shot_wall(30);
+  const Frame frame = world->world.frame();
+  EXPECT_EQ(griffith_quantity_count(), std::ssize(file_quantities()));
+  EXPECT_FALSE(griffith_quantity_describe(griffith_quantity_count()));
+  for (std::int32_t i = 0; i < griffith_quantity_count(); ++i) {
+    const Quantity& quantity = *file_quantities()[i];
+    EXPECT_EQ(griffith_quantity_describe(i)->name, quantity.key);
+    griffith_array view = {};
+    griffith_error error;
+    ASSERT_EQ(griffith_world_quantity(world.get(), quantity.key.data(), &view, &error), GRIFFITH_OK) << error.problem;
+    const bool of_nodes = place_of(quantity) == ValuePlace::node;
+    EXPECT_EQ(view.count, of_nodes ? std::ssize(frame.nodes.positions) : std::ssize(frame.elements.tets));
+    const auto* values = static_cast<const double*>(view.data);
+    std::visit(
+        [&](const auto& expected) { EXPECT_EQ(std::memcmp(values, expected.data(), view.count * view.stride), 0); },
+        quantity_array(frame, quantity));
+  }
+}
+
 TEST(CArrays, NumbersAreThoseOfTheFrame) {
   const OwnedWorld world = shot_wall(30);
   const auto value = [&](const char* name) {

@@ -62,6 +62,17 @@ class Frames(unittest.TestCase):
         numpy.testing.assert_allclose(frame.separation_tensors, frame.separation_tensors.transpose(0, 2, 1))
         numpy.testing.assert_allclose(numpy.linalg.norm(frame.body_orientations, axis=1), 1)
 
+    def test_quantities_are_computed_from_the_arrays(self):
+        frame = griffith.World(SHOT_WALL).run(30).frame
+        self.assertEqual(griffith.QUANTITIES["von_mises"].unit, "Pa")
+        for name in griffith.QUANTITIES:
+            self.assertIn(len(frame.quantity(name)), (len(frame.positions), len(frame.tets)))
+        pressure = -numpy.trace(frame.stress, axis1=1, axis2=2) / 3
+        numpy.testing.assert_allclose(frame.quantity("pressure"), pressure)
+        numpy.testing.assert_array_equal(frame.quantity("displacement"), frame.positions - frame.rest_positions)
+        with self.assertRaisesRegex(KeyError, "QUANTITIES"):
+            frame.quantity("presure")
+
     def test_arrays_keep_their_world(self):
         positions = griffith.World(SHOT_WALL).frame.positions
         self.assertTrue(numpy.isfinite(positions.sum()))

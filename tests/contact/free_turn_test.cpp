@@ -1,7 +1,5 @@
 // The motion of free tops against its closed forms and invariants.
 
-#include "sim/core/free_turn.h"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -9,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+
+#include "sim/core/rotation.h"
 
 namespace griffith {
 namespace {

@@ -6,7 +6,6 @@
 #include <cstring>
 #include <numbers>
 
-#include "sim/core/free_turn.h"
 #include "sim/core/parallel.h"
 #include "sim/core/rotation.h"
 #include "tests/contact/bodies.h"

@@ -5,7 +5,6 @@
 #include "app/cli/command_line.h"
 #include "app/editor/script.h"
 #include "app/output/id_picture.h"
-#include "app/regress/junit.h"
 #include "app/regress/report.h"
 #include "app/regress/run_suite.h"
 #include "app/regress/suite.h"

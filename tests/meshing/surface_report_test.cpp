@@ -6,7 +6,7 @@
 #include <random>
 
 #include "sim/core/error.h"
-#include "sim/geometry/closest_on_triangle.h"
+#include "sim/geometry/triangle.h"
 #include "sim/meshing/self_intersection.h"
 #include "sim/meshing/triangle_tree.h"
 #include "surfaces.h"

@@ -1,10 +1,9 @@
-#include "app/regress/junit.h"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <sstream>
 
+#include "app/regress/report.h"
 #include "tests/app/program.h"
 #include "tests/regress/results.h"
 

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "renderer/ground_pass.h"
+#include "renderer/surroundings.h"
 #include "renderer_fixture.h"
 
 namespace griffith::render {

@@ -85,6 +85,10 @@ class Randomizer {
     for (int i = std::uniform_int_distribution(0, 4)(random_); i > 0; --i) value += pick(kPieces);
   }
   void fill(std::string& value, const OneOf& one_of) { value = pick(one_of.names); }
+  void fill(std::vector<std::string>& values, const OneOf& one_of) {
+    values.resize(std::uniform_int_distribution(0, 3)(random_));
+    for (std::string& value : values) fill(value, one_of);
+  }
   template <class Enum>
   requires std::is_enum_v<Enum>
   void fill(Enum& value, const OneOf& one_of) {

@@ -233,7 +233,7 @@ TEST(SceneReader, ReadsSupportsLoadsAndProbes) {
   load.ramp = 3;
   EXPECT_EQ(scene.bodies[0].loads.at(0), load);
   EXPECT_EQ(std::get<Region>(scene.probes.at(0).at), Region(SphereRegion{Vec3::Zero(), 2}));
-  EXPECT_EQ(scene.probes[0].quantities, (std::vector{ProbeQuantity::stress, ProbeQuantity::reaction}));
+  EXPECT_EQ(scene.probes[0].quantities, (std::vector<std::string>{"stress", "reaction"}));
 }
 
 TEST(SceneReader, SurvivesRandomDamage) {

@@ -134,7 +134,7 @@ void step_explicitly(Specimen& specimen, double dt, const std::vector<Vec3>& ext
 void step_implicitly(Specimen& specimen, double dt) {
   WorldState& world = specimen.world();
   std::vector<Vec3> forces(specimen.node_count(), Vec3::Zero());
-  record_substep_start(world);
+  record_substep_start(world, world.scratch);
   assemble_systems(world, dt);
   predict_velocities(world, forces, dt);
   move_bodies(world, forces, dt);

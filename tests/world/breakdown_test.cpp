@@ -42,7 +42,7 @@ bool all_finite(const std::vector<Vec3>& values) {
 void expect_sound(const WorldState& world) {
   EXPECT_TRUE(all_finite(world.nodes.positions) && all_finite(world.nodes.velocities) &&
               all_finite(world.nodes.reactions));
-  EXPECT_TRUE(std::isfinite(world.totals.elastic_energy) && std::isfinite(world.totals.kinetic_energy));
+  EXPECT_TRUE(std::isfinite(world.output.totals.elastic_energy) && std::isfinite(world.output.totals.kinetic_energy));
   for (const ElementState& state : world.elements.states)
     EXPECT_TRUE(state.stress.full().allFinite() && state.frame.allFinite());
   for (const Body& body : world.bodies)

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "sim/geometry/closest_on_triangle.h"
+#include "sim/geometry/triangle.h"
 #include "sim/mesh/tet_mesh.h"
 #include "sim/world/frame.h"
 

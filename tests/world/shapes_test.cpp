@@ -1,11 +1,10 @@
-#include "sim/world/setup/shapes.h"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "sim/core/error.h"
 #include "sim/mesh/mesh_report.h"
+#include "sim/world/setup/shape_mesh.h"
 
 namespace griffith {
 namespace {

@@ -87,7 +87,7 @@ TEST(SplinterCollision, ABodyCutInTwoAtRestStaysAtRest) {
   cut_in_two(*world);
   ASSERT_EQ(world->bodies.size(), 2u);
   for (int step = 0; step < 100; ++step) advance(*world);
-  EXPECT_LT(world->totals.kinetic_energy, 1e-20) << "no push apart, though the hulls overlap";
+  EXPECT_LT(world->output.totals.kinetic_energy, 1e-20) << "no push apart, though the hulls overlap";
 }
 
 TEST(SplinterCollision, ManySplintersFallBackOnTheTets) {

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "sim/geometry/closest_on_triangle.h"
+#include "sim/geometry/triangle.h"
 #include "sim/world/setup/build_world.h"
 #include "sim/world/world_state.h"
 #include "tests/world/scenes.h"

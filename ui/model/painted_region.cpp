@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "sim/scene/body_pose.h"
-#include "sim/scene/region_nodes.h"
+#include "sim/scene/region.h"
 #include "ui/model/surface_hit.h"
 
 namespace griffith::ui {

@@ -1,6 +1,6 @@
 #include "ui/model/surface_hit.h"
 
-#include "sim/geometry/triangle_hit.h"
+#include "sim/geometry/triangle.h"
 
 namespace griffith::ui {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/scene/view_quantity.h"
+#include "sim/scene/quantities.h"
 
 namespace griffith::ui {
 namespace {
@@ -43,8 +43,8 @@ void show_layer(ViewSettings& view, ViewLayer layer, bool show) {
 bool parts_at_zero(const ViewSettings& view) {
   constexpr double kSame = 1e-6;  // relative tolerance for a rounded range
   if (view.color_map != "automatic") return false;
-  const auto quantity = std::ranges::find(view_quantities(), view.quantity, &ViewQuantity::key);
-  if (quantity == view_quantities().end() || !quantity->is_signed) return false;
+  const Quantity* quantity = find_view_quantity(view.quantity);
+  if (!quantity || !quantity->is_signed) return false;
   return !view.range || std::abs(view.range->sum()) <= kSame * view.range->cwiseAbs().maxCoeff();
 }
 

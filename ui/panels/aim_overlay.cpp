@@ -1,8 +1,7 @@
-#include "ui/panels/aim_overlay.h"
-
 #include <algorithm>
 
 #include "ui/model/units.h"
+#include "ui/panels/overlays.h"
 #include "ui/panels/view_drawing.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"

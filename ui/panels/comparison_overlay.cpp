@@ -1,8 +1,7 @@
-#include "ui/panels/comparison_overlay.h"
-
 #include <algorithm>
 #include <string>
 
+#include "ui/panels/overlays.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 

@@ -1,5 +1,3 @@
-#include "ui/panels/gizmo_overlay.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,7 @@
 #include "ui/model/entry_place.h"
 #include "ui/model/region_outline.h"
 #include "ui/panels/chosen_region.h"
+#include "ui/panels/overlays.h"
 #include "ui/panels/view_drawing.h"
 #include "ui/widgets/field_range.h"
 #include "ui/widgets/style.h"

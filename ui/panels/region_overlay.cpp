@@ -1,5 +1,3 @@
-#include "ui/panels/region_overlay.h"
-
 #include <cmath>
 #include <string>
 
@@ -8,6 +6,7 @@
 #include "ui/model/gizmo_geometry.h"
 #include "ui/model/units.h"
 #include "ui/panels/chosen_region.h"
+#include "ui/panels/overlays.h"
 #include "ui/panels/view_drawing.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"

@@ -1,5 +1,3 @@
-#include "ui/panels/region_painting.h"
-
 #include <cmath>
 #include <string>
 #include <utility>
@@ -7,6 +5,7 @@
 #include "ui/model/entry_place.h"
 #include "ui/model/painted_region.h"
 #include "ui/panels/chosen_region.h"
+#include "ui/panels/overlays.h"
 #include "ui/panels/view_drawing.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"

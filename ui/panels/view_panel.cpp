@@ -3,7 +3,8 @@
 #include <cfloat>
 #include <vector>
 
-#include "sim/scene/view_quantity.h"
+#include "sim/scene/quantities.h"
+#include "sim/scene/view_names.h"
 #include "ui/model/view_layers.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/field_range.h"
@@ -14,15 +15,14 @@ namespace griffith::ui {
 namespace {
 
 void quantity_row(Panel& panel) {
+  const std::vector<const Quantity*> quantities = view_quantities();
   std::vector<std::string> labels;
-  std::string shown = panel.state.view.quantity;
-  for (const ViewQuantity& quantity : view_quantities()) {
-    labels.emplace_back(quantity.label);
-    if (quantity.key == panel.state.view.quantity) shown = quantity.label;
-  }
+  for (const Quantity* quantity : quantities) labels.emplace_back(quantity->label);
+  const Quantity* current = find_view_quantity(panel.state.view.quantity);
+  const std::string shown(current ? current->label : panel.state.view.quantity);
   const int chosen = combo_row(panel, "view/quantity", "Color by", labels, shown);
   if (chosen < 0) return;
-  panel.state.view.quantity = view_quantities()[static_cast<std::size_t>(chosen)].key;
+  panel.state.view.quantity = quantities[static_cast<std::size_t>(chosen)]->key;
   panel.state.view.range.reset();
 }
 
@@ -169,8 +169,8 @@ void layer_rows(Panel& panel) {
 /// True if a view shows tetrahedra rather than splinters, shards or surface files: values belong to tetrahedra.
 bool shows_tets(const ViewSettings& view) {
   if (!view.splinters || view.quantity == "tet" || view.elements != ElementStyle::surface) return true;
-  const auto quantity = std::ranges::find(view_quantities(), view.quantity, &ViewQuantity::key);
-  return quantity != view_quantities().end() && !quantity->unit.empty();
+  const Quantity* quantity = find_view_quantity(view.quantity);
+  return quantity && quantity->has_values();
 }
 
 void edges_row(Panel& panel) {

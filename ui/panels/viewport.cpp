@@ -1,11 +1,7 @@
 #include <cmath>
 
-#include "ui/panels/aim_overlay.h"
-#include "ui/panels/comparison_overlay.h"
-#include "ui/panels/gizmo_overlay.h"
+#include "ui/panels/overlays.h"
 #include "ui/panels/panels.h"
-#include "ui/panels/region_overlay.h"
-#include "ui/panels/region_painting.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 

@@ -204,6 +204,14 @@ class FieldRows {
     values.clear();
     for (const int index : chosen) values.push_back(static_cast<Enum>(index));
   }
+  void draw(const FieldRow& row, std::vector<std::string>& values, const OneOf& one_of) {
+    std::vector<int> chosen;
+    for (const std::string& value : values)
+      chosen.push_back(static_cast<int>(std::ranges::find(one_of.names, value) - one_of.names.begin()));
+    note(row, draw_choices(panel_, row, one_of, chosen));
+    values.clear();
+    for (const int index : chosen) values.emplace_back(one_of.names[static_cast<std::size_t>(index)]);
+  }
 
   void draw(const FieldRow& row, std::optional<double>& value, const Numbers& numbers) {
     bool present = value.has_value();

@@ -11,7 +11,7 @@ simulation's own memory as NumPy arrays, without a copy. Units are SI throughout
 """
 from ._library import version
 from .errors import ArgumentError, Cancelled, Error, InputError, LibraryNotFound
-from .frame import ARRAYS, VALUES, Frame
+from .frame import ARRAYS, QUANTITIES, VALUES, Frame
 from .painter import Painter
 from .scene import Scene
 from .sweep import outcomes, sweep
@@ -20,6 +20,7 @@ from .world import World, thread_limit
 __version__ = version()
 __all__ = [
     "ARRAYS",
+    "QUANTITIES",
     "VALUES",
     "ArgumentError",
     "Cancelled",

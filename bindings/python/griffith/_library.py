@@ -98,6 +98,7 @@ _FUNCTIONS = {
     "world_save_recording": [_handle, _text],
     "world_value": [_handle, _text, ctypes.POINTER(ctypes.c_double)],
     "world_array": [_handle, ctypes.c_int32, ctypes.POINTER(CArray)],
+    "world_quantity": [_handle, _text, ctypes.POINTER(CArray)],
     "world_update_surfaces": [_handle],
     "thread_limit_create": [ctypes.c_int32, _out],
     "painter_create": [_handle, ctypes.c_int32, ctypes.c_int32, _text, _text, _out],
@@ -115,7 +116,7 @@ for _name in ("scene_destroy", "world_destroy", "thread_limit_destroy", "painter
 _library.griffith_version.restype = _text
 _library.griffith_abi_version.restype = ctypes.c_uint32
 _library.griffith_value_count.restype = ctypes.c_int32
-for _name in ("value_describe", "array_describe"):
+for _name in ("value_describe", "array_describe", "quantity_describe"):
     getattr(_library, "griffith_" + _name).argtypes = [ctypes.c_int32]
     getattr(_library, "griffith_" + _name).restype = ctypes.POINTER(CInfo)
 _library.griffith_world_state_hash.argtypes = [_handle]

@@ -34,6 +34,8 @@ def _describe_all(kind):
 ARRAYS = {_python_name(info.name): info for info in _describe_all("array")}
 #: Numbers of a frame: Info by the name of the attribute.
 VALUES = {info.name: info for info in _describe_all("value")}
+#: Quantities that Frame.quantity() computes: Info by name.
+QUANTITIES = {info.name: info for info in _describe_all("quantity")}
 _INDICES = {name: index for index, name in enumerate(ARRAYS)}
 
 
@@ -82,11 +84,23 @@ class Frame:
     def __repr__(self):
         return f"<griffith.Frame of step {int(self.step)}: {len(self.tets)} tetrahedra, {int(self.bodies)} bodies>"
 
+    def quantity(self, name):
+        """Computes one of griffith.QUANTITIES, as views and exported files show it: a new array, one entry per node or
+        tetrahedron."""
+        if name not in QUANTITIES:
+            raise KeyError(f"{name!r} is no quantity; griffith.QUANTITIES lists them")
+        view = _library.CArray()
+        _library.call("world_quantity", self._world._handle, name.encode(), ctypes.byref(view))
+        return self._numbers(view).copy()
+
+    def _numbers(self, view):
+        if view.count == 0:
+            return numpy.empty((0, *view.shape[: view.dimensions]), _DTYPES[view.type])
+        return numpy.asarray(_Memory(self._world, view))
+
     def _array(self, name):
         view = _library.CArray()
         if name.startswith("surface_"):
             _library.call("world_update_surfaces", self._world._handle)
         _library.call("world_array", self._world._handle, _INDICES[name], ctypes.byref(view))
-        if view.count == 0:
-            return numpy.empty((0, *view.shape[: view.dimensions]), _DTYPES[view.type])
-        return numpy.asarray(_Memory(self._world, view))
+        return self._numbers(view)

@@ -11,9 +11,11 @@ class Info(NamedTuple):
 
 ARRAYS: dict[str, Info]
 VALUES: dict[str, Info]
+QUANTITIES: dict[str, Info]
 
 class Frame:
     def __init__(self, world: Any) -> None: ...
+    def quantity(self, name: str) -> NDArray[numpy.float64]: ...
     positions: NDArray[numpy.float64]
     rest_positions: NDArray[numpy.float64]
     velocities: NDArray[numpy.float64]

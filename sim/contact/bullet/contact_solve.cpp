@@ -5,7 +5,7 @@
 
 #include "sim/contact/bullet/contact_world.h"
 #include "sim/core/parallel.h"
-#include "sim/geometry/connected_groups.h"
+#include "sim/geometry/disjoint_sets.h"
 
 namespace griffith {
 

@@ -5,7 +5,6 @@
 
 #include "sim/contact/bullet/contact_world.h"
 #include "sim/contact/bullet/sweep.h"
-#include "sim/core/free_turn.h"
 #include "sim/core/rotation.h"
 
 namespace griffith {

@@ -168,7 +168,7 @@ Placement placement_of(const WorldState& world, std::span<const NodeId> nodes) {
   return best_placement(world.mesh->rest_positions, world.nodes.positions, world.nodes.masses, nodes);
 }
 
-void update_motion(WorldState& world, Body& body) {
+void update_motion(const WorldState& world, Body& body) {
   body.motion = motion_of(world, body);
   Mat3 correlation = Mat3::Zero();
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {

@@ -42,7 +42,7 @@ RigidMotion motion_of(const WorldState& world, const Body& body);
 /// Returns the place and axes about which its supports let a body turn, none where they hold it more firmly.
 std::optional<Pivot> pivot_of(const WorldState& world, const Body& body);
 /// Takes mass, momentum and orientation of a body from its nodes.
-void update_motion(WorldState& world, Body& body);
+void update_motion(const WorldState& world, Body& body);
 /// Returns the placement that fits nodes best, weighted by their masses.
 Placement placement_of(const WorldState& world, std::span<const NodeId> nodes);
 /// Returns the least stress, over the face of an element, that could open a crack in the body or extend one [Pa].

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/geometry/closest_on_triangle.h"
+#include "sim/geometry/triangle.h"
 
 namespace griffith {
 namespace {

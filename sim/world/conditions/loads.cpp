@@ -142,11 +142,11 @@ bool changes_after(const Load& load, double time) {
   return load.duration ? time < end_of(load) : time < load.start + load.ramp;
 }
 
-void place_loads(WorldState& world, int scene_body, const RestBody& body, std::vector<InputError>& findings) {
+void place_loads(const WorldState& world, int scene_body, const RestBody& body, std::vector<PlacedLoad>& all,
+                 std::vector<InputError>& findings) {
   const std::vector<Load>& loads = world.model->scene.bodies[scene_body].loads;
   for (std::size_t i = 0; i < loads.size(); ++i) {
-    world.loads.push_back(place_load(world.mesh, loads[i], body));
-    const PlacedLoad& placed = world.loads.back();
+    const PlacedLoad& placed = all.emplace_back(place_load(world.mesh, loads[i], body));
     if (!placed.corners.empty() || !placed.faces.empty() || !placed.tets.empty()) continue;
     findings.emplace_back("#/bodies/" + std::to_string(scene_body) + "/loads/" + std::to_string(i) + "/region",
                           std::string("holds no ") + loaded_things(loads[i].kind),

@@ -31,8 +31,9 @@ double load_factor(const Load& load, const TimeSpan& span);
 /// True if the part that acts will change after `time` [s].
 bool changes_after(const Load& load, double time);
 
-/// Finds what a body's loads act on; one that acts on nothing becomes a finding.
-void place_loads(WorldState& world, int scene_body, const RestBody& body, std::vector<InputError>& findings);
+/// Finds what a body's loads act on and appends them; one that acts on nothing becomes a finding.
+void place_loads(const WorldState& world, int scene_body, const RestBody& body, std::vector<PlacedLoad>& all,
+                 std::vector<InputError>& findings);
 
 /// Makes rigid bodies elastic on which a load differs between `next` and `last`.
 void make_loaded_bodies_elastic(WorldState& world, const TimeSpan& last, const TimeSpan& next);

@@ -7,10 +7,11 @@
 #include <set>
 
 #include "sim/core/error.h"
-#include "sim/elasticity/principal_stress.h"
-#include "sim/geometry/closest_on_triangle.h"
+#include "sim/geometry/triangle.h"
 #include "sim/scene/field.h"
+#include "sim/scene/quantities.h"
 #include "sim/world/bodies/surface_point.h"
+#include "sim/world/quantity_values.h"
 #include "sim/world/world_state.h"
 
 namespace griffith {
@@ -93,46 +94,69 @@ std::vector<ProbedNode> nodes_at(const RestBody& body, const Region& region) {
   return nodes;
 }
 
-std::string place_of(std::size_t probe, const char* field) { return "#/probes/" + std::to_string(probe) + "/" + field; }
+std::string place_of(std::size_t probe, const std::string& field) {
+  return "#/probes/" + std::to_string(probe) + "/" + field;
+}
+
+void check_quantities(const Probe& probe, std::size_t index) {
+  const std::vector<std::string_view> known = keys_of(probe_quantities());
+  for (std::size_t i = 0; i < probe.quantities.size(); ++i) {
+    const std::string& key = probe.quantities[i];
+    if (std::ranges::find(known, key) != known.end()) continue;
+    throw InputError(place_of(index, "quantities/" + std::to_string(i)), "is no quantity of probes: \"" + key + "\"",
+                     suggestion(key, known));
+  }
+}
 
 // --- What it measures -----------------------------------------------------------------------------------------------
 
 /// Means over a probe's nodes; `reaction` is a sum.
-struct Sample {
+struct ProbeSample {
   Vec3 displacement = Vec3::Zero(), velocity = Vec3::Zero(), reaction = Vec3::Zero();
+  NodeSeparation separation = zero_separation();
   Mat3 stress = Mat3::Zero();
-  double utilization = 0, separation_stress = 0, eigenvalue = 0;
+  double energy_density = 0;
+
+  NodeSample node() const { return {displacement, velocity, reaction, separation}; }
+  ElementSample element() const { return {stress, energy_density}; }
 };
 
-/// Returns the Cauchy stress of a tet at one of its corners [Pa].
-Mat3 corner_stress(const Frame& frame, const TetCorner& corner) {
+/// Stress and energy density in an element, or their mean over some.
+struct CornerState {
+  Mat3 stress = Mat3::Zero();  ///< Cauchy stress, world frame [Pa]
+  double energy_density = 0;   ///< [J/m³]
+};
+
+CornerState corner_state(const Frame& frame, const TetCorner& corner) {
   const bool is_quadratic = !frame.elements.edges.empty() && frame.elements.edges[corner.tet][0].valid();
-  if (!is_quadratic) return frame.elements.stresses[corner.tet];
+  if (!is_quadratic) return {frame.elements.stresses[corner.tet], frame.elements.states[corner.tet].energy_density};
   const ElementState& state = frame.elements.quadratic_states[corner.tet].corners[corner.corner];
-  return cauchy_stress(state.frame, state.stress);
+  return {cauchy_stress(state.frame, state.stress), state.energy_density};
 }
 
-Mat3 stress_at(const ProbedNode& probed, NodeId node, const Frame& frame) {
-  Mat3 sum = Mat3::Zero();
+/// Returns the mean over the elements at a node, weighted by their volumes.
+CornerState state_at(const ProbedNode& probed, NodeId node, const Frame& frame) {
+  CornerState sum;
   double volume = 0;
   for (const TetCorner& corner : probed.star) {
     if (node_at(frame.elements.tets, corner) != node) continue;
     const double part = frame.elements.rest_elements[corner.tet].volume;
-    sum += part * corner_stress(frame, corner);
+    const CornerState state = corner_state(frame, corner);
+    sum.stress += part * state.stress;
+    sum.energy_density += part * state.energy_density;
     volume += part;
   }
-  return sum / volume;
+  return {sum.stress / volume, sum.energy_density / volume};
 }
 
-void add_node(const ProbedNode& probed, const Frame& frame, Sample& sample) {
+void add_node(const ProbedNode& probed, const Frame& frame, ProbeSample& sample) {
   const NodeId node = node_at(frame.elements.tets, probed.corner);
-  const NodeSeparation& separation = frame.nodes.separations[node];
+  const CornerState state = state_at(probed, node, frame);
   sample.displacement += probed.weight * (frame.nodes.positions[node] - frame.nodes.rest_positions[node]);
   sample.velocity += probed.weight * frame.nodes.velocities[node];
-  sample.stress += probed.weight * stress_at(probed, node, frame);
-  sample.utilization += probed.weight * separation.utilization;
-  sample.separation_stress += probed.weight * separation.stress;
-  sample.eigenvalue += probed.weight * separation.eigenvalue;
+  sample.stress += probed.weight * state.stress;
+  sample.energy_density += probed.weight * state.energy_density;
+  add_separation(probed.weight, frame.nodes.separations[node], sample.separation);
 }
 
 Vec3 total_reaction(const PlacedProbe& placed, const Frame& frame) {
@@ -144,49 +168,44 @@ Vec3 total_reaction(const PlacedProbe& placed, const Frame& frame) {
   return sum;
 }
 
-Sample sample_at(const PlacedProbe& placed, const Frame& frame) {
-  Sample sample;
+ProbeSample sample_at(const PlacedProbe& placed, const Frame& frame) {
+  ProbeSample sample;
   for (const ProbedNode& probed : placed.nodes) add_node(probed, frame, sample);
   sample.reaction = total_reaction(placed, frame);
   return sample;
 }
 
-struct Components {
-  std::string_view name;
-  std::vector<std::string_view> suffixes;  ///< with units
-};
-
-const Components& components(ProbeQuantity quantity) {
-  static const std::array<Components, 6> kAll = {{
-      {"displacement", {".x [m]", ".y [m]", ".z [m]"}},
-      {"velocity", {".x [m/s]", ".y [m/s]", ".z [m/s]"}},
-      {"stress", {".xx [Pa]", ".yy [Pa]", ".zz [Pa]", ".xy [Pa]", ".yz [Pa]", ".zx [Pa]"}},
-      {"principal_stress", {".1 [Pa]", ".2 [Pa]", ".3 [Pa]"}},
-      {"separation", {".utilization [-]", ".stress [Pa]", ".eigenvalue [N]"}},
-      {"reaction", {".x [N]", ".y [N]", ".z [N]"}},
-  }};
-  return kAll[static_cast<std::size_t>(quantity)];
+std::vector<double> components_of(double value) { return {value}; }
+std::vector<double> components_of(const Vec3& value) { return {value.x(), value.y(), value.z()}; }
+std::vector<double> components_of(const Mat3& value) {
+  return {value(0, 0), value(1, 1), value(2, 2), value(0, 1), value(1, 2), value(2, 0)};
 }
 
-std::vector<double> values_of(const Vec3& vector) { return {vector.x(), vector.y(), vector.z()}; }
-
-std::vector<double> values_of(ProbeQuantity quantity, const Sample& sample) {
-  const Mat3& stress = sample.stress;
-  switch (quantity) {
-    case ProbeQuantity::displacement:
-      return values_of(sample.displacement);
-    case ProbeQuantity::velocity:
-      return values_of(sample.velocity);
-    case ProbeQuantity::stress:
-      return {stress(0, 0), stress(1, 1), stress(2, 2), stress(0, 1), stress(1, 2), stress(2, 0)};
-    case ProbeQuantity::principal_stress:
-      return values_of(principal_stresses(stress));
-    case ProbeQuantity::separation:
-      return {sample.utilization, sample.separation_stress, sample.eigenvalue};
-    case ProbeQuantity::reaction:
-      return values_of(sample.reaction);
-  }
+template <class Value>
+std::vector<double> values_of(Value (*function)(const NodeSample&), const ProbeSample& sample) {
+  return components_of(function(sample.node()));
+}
+template <class Value>
+std::vector<double> values_of(Value (*function)(const ElementSample&), const ProbeSample& sample) {
+  return components_of(function(sample.element()));
+}
+/// Other quantities are not in probe_quantities().
+template <class Function>
+std::vector<double> values_of(Function, const ProbeSample&) {
   return {};
+}
+
+std::vector<double> values_of(const Quantity& quantity, const ProbeSample& sample) {
+  return std::visit([&](const auto function) { return values_of(function, sample); }, quantity.function);
+}
+
+/// Appends the names of a quantity's columns: "probe.stress.xx [Pa]", "probe.von_mises [Pa]".
+void add_columns(const std::string& probe, const Quantity& quantity, std::vector<std::string>& columns) {
+  const std::string name = probe + "." + std::string(quantity.key);
+  const std::string unit = quantity.unit.empty() ? "" : " [" + std::string(quantity.unit) + "]";
+  if (quantity.components[0].empty()) columns.push_back(name + unit);
+  for (std::string_view component : quantity.components)
+    if (!component.empty()) columns.push_back(name + "." + std::string(component) + unit);
 }
 
 }  // namespace
@@ -195,17 +214,19 @@ void check_probes(const Scene& scene) {
   std::vector<std::string_view> names;
   for (const BodyDescription& body : scene.bodies) names.push_back(body.name);
   for (std::size_t i = 0; i < scene.probes.size(); ++i) {
+    check_quantities(scene.probes[i], i);
     const std::string& name = scene.probes[i].body;
     if (std::ranges::find(names, name) != names.end()) continue;
     throw InputError(place_of(i, "body"), "names no body of the scene: \"" + name + "\"", suggestion(name, names));
   }
 }
 
-void place_probes(WorldState& world, int scene_body, const RestBody& body, std::vector<InputError>& findings) {
-  const std::vector<Probe>& probes = world.model->scene.probes;
-  world.probes.resize(probes.size());
+void place_probes(const Scene& scene, int scene_body, const RestBody& body, std::vector<PlacedProbe>& all,
+                  std::vector<InputError>& findings) {
+  const std::vector<Probe>& probes = scene.probes;
+  all.resize(probes.size());
   for (std::size_t i = 0; i < probes.size(); ++i) {
-    if (probes[i].body != world.model->scene.bodies[scene_body].name) continue;
+    if (probes[i].body != scene.bodies[scene_body].name) continue;
     std::vector<ProbedNode> nodes = std::visit([&](const auto& place) { return nodes_at(body, place); }, probes[i].at);
     if (nodes.empty() && std::holds_alternative<ProbeNode>(probes[i].at)) {
       throw InputError(place_of(i, "at/node"), "is no node of the mesh",
@@ -215,25 +236,23 @@ void place_probes(WorldState& world, int scene_body, const RestBody& body, std::
       findings.emplace_back(place_of(i, "at/region"), "holds no node",
                             "make it larger, or move it: regions are in the body's rest space");
     }
-    world.probes[i] = {probes[i], std::move(nodes)};
+    all[i] = {probes[i], std::move(nodes)};
   }
 }
 
 std::vector<std::string> probe_columns(std::span<const PlacedProbe> probes) {
   std::vector<std::string> columns;
   for (const PlacedProbe& placed : probes)
-    for (ProbeQuantity quantity : placed.probe.quantities)
-      for (std::string_view suffix : components(quantity).suffixes)
-        columns.push_back(placed.probe.name + "." + std::string(components(quantity).name) + std::string(suffix));
+    for (const std::string& key : placed.probe.quantities) add_columns(placed.probe.name, *find_quantity(key), columns);
   return columns;
 }
 
 std::vector<double> probe_values(std::span<const PlacedProbe> probes, const Frame& frame) {
   std::vector<double> values;
   for (const PlacedProbe& placed : probes) {
-    const Sample sample = sample_at(placed, frame);
-    for (ProbeQuantity quantity : placed.probe.quantities) {
-      std::vector<double> found = values_of(quantity, sample);
+    const ProbeSample sample = sample_at(placed, frame);
+    for (const std::string& key : placed.probe.quantities) {
+      std::vector<double> found = values_of(*find_quantity(key), sample);
       if (placed.nodes.empty()) std::ranges::fill(found, std::numeric_limits<double>::quiet_NaN());
       values.insert(values.end(), found.begin(), found.end());
     }

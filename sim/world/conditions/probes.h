@@ -12,7 +12,6 @@ namespace griffith {
 
 struct Frame;
 struct Scene;
-struct WorldState;
 
 /// Node of a probe.
 struct ProbedNode {
@@ -27,11 +26,12 @@ struct PlacedProbe {
   std::vector<ProbedNode> nodes;  ///< none where a region holds none: its values are not numbers
 };
 
-/// Finds the nodes of the probes that name this body; a region without any becomes a finding. Throws InputError when a
-/// probe names a node that the mesh lacks.
-void place_probes(WorldState& world, int scene_body, const RestBody& body, std::vector<InputError>& findings);
+/// Finds the nodes of the scene's probes that name this body, in `all` probes; a region without any becomes a finding.
+/// Throws InputError when a probe names a node that the mesh lacks.
+void place_probes(const Scene& scene, int scene_body, const RestBody& body, std::vector<PlacedProbe>& all,
+                  std::vector<InputError>& findings);
 
-/// Throws InputError when a probe names no body of the scene.
+/// Throws InputError when a probe names no body of the scene, or no quantity.
 void check_probes(const Scene& scene);
 
 /// Returns the columns of probe_values(): "name.displacement.x [m]", …

@@ -85,8 +85,8 @@ void require_no_crowd(const std::vector<PendingShot>& shots, const Vec3& gravity
   }
 }
 
-}  // namespace
-
+/// Queues the shots of a burst, its start counted from now. Throws InputError, about the field `where` of the scene,
+/// for a surface file that cannot be read or has no volume.
 void queue_burst(WorldState& world, const ProjectileBurst& burst, const std::string& where) {
   const Projectile projectile =
       burst.shape ? convex_projectile(std::visit(Outline{world.model->scene.folder, where}, *burst.shape), burst, where)
@@ -101,6 +101,8 @@ void queue_burst(WorldState& world, const ProjectileBurst& burst, const std::str
   std::inplace_merge(pending.begin(), pending.begin() + before, pending.end(),
                      [](const PendingShot& a, const PendingShot& b) { return a.time < b.time; });
 }
+
+}  // namespace
 
 void queue_bursts(WorldState& world) {
   for (std::size_t i = 0; i < world.model->scene.projectiles.size(); ++i)

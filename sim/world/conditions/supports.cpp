@@ -59,10 +59,11 @@ void block(NodeConstraint& constraint, const Support& support, const Vec3& veloc
 
 }  // namespace
 
-void place_supports(WorldState& world, int scene_body, const RestBody& body, std::vector<InputError>& findings) {
-  const std::vector<Support>& supports = world.model->scene.bodies[scene_body].supports;
+void place_supports(const Scene& scene, int scene_body, const RestBody& body, std::vector<PlacedSupport>& all,
+                    std::vector<InputError>& findings) {
+  const std::vector<Support>& supports = scene.bodies[scene_body].supports;
   for (std::size_t i = 0; i < supports.size(); ++i) {
-    PlacedSupport& placed = world.supports.emplace_back();
+    PlacedSupport& placed = all.emplace_back();
     placed = {supports[i], corners_at(body, nodes_in(body, supports[i].region))};
     placed.holds_faces = has_face(placed.corners);
     if (!placed.corners.empty()) continue;

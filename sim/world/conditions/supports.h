@@ -7,6 +7,7 @@
 
 namespace griffith {
 
+struct Scene;
 struct WorldState;
 
 /// Support and the nodes that it holds.
@@ -16,8 +17,10 @@ struct PlacedSupport {
   bool holds_faces = false;        ///< true if it held faces of elements when it was placed
 };
 
-/// Finds the nodes of a body's supports, once; one that holds none becomes a finding. Then update_supports().
-void place_supports(WorldState& world, int scene_body, const RestBody& body, std::vector<InputError>& findings);
+/// Finds the nodes of a body's supports, once, and appends these; one that holds none becomes a finding. Then
+/// update_supports().
+void place_supports(const Scene& scene, int scene_body, const RestBody& body, std::vector<PlacedSupport>& all,
+                    std::vector<InputError>& findings);
 
 /// Releases a node from a support along the plane of unit normal `normal` between body and support, if all elements lie
 /// on one side of it. Returns false if no support holds the node in that direction, or it cannot tear.

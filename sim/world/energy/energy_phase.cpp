@@ -48,7 +48,7 @@ double twice_turning_energy(const Mat3& inertia, const Vec3& spin) { return spin
 
 /// Accounts for the velocity change of a rigid body by external forces and contacts.
 void account_rigid_contacts(WorldState& world, const Body& body, const RigidImpulse& impulse, double dt) {
-  const RigidStart& start = body.start;
+  const RigidStart& start = world.scratch.bodies[body.id].start;
   const RigidMotion& now = body.motion;
   const double damping = start.falls ? 1 + dt * world.material_of(body).mass_damping : 1;
   const Vec3 pushed = start.velocity + dt / now.mass * start.force;
@@ -181,16 +181,18 @@ double kinetic_energy_of_projectiles(const WorldState& world) {
   return sum;
 }
 
-void record_substep_start(WorldState& world) {
-  SubstepStart& start = world.scratch.substep_start;
+void record_substep_start(const WorldState& world, Scratch& scratch) {
+  SubstepStart& start = scratch.substep_start;
   start.velocities = world.nodes.velocities;
   start.edge_velocities = world.edges.velocities;
   start.projectiles.clear();
   for (const Projectile& projectile : world.projectiles)
     start.projectiles.push_back(world.contact_world.state(projectile.object));
-  for (Body& body : world.bodies) {
-    body.start = {body.motion.velocity, body.motion.angular_velocity};
-    body.start.rigid = body.rigid;
+  scratch.bodies.assign(world.bodies.size(), {});
+  for (const Body& body : world.bodies) {
+    RigidStart& of_body = scratch.bodies[body.id].start;
+    of_body = {body.motion.velocity, body.motion.angular_velocity};
+    of_body.rigid = body.rigid;
   }
 }
 
@@ -296,6 +298,7 @@ EnergyAccount spent_in_move(const WorldState& world, const Body& body, const Bod
   const Material& material = world.material_of(body);
   const NodeWorks nodes = works_of_nodes(world, body, before, external, dt);
   const double stored = stored_since(world, body, elastic);
+  const BodyStep& step = world.scratch.bodies[body.id];
   EnergyAccount spent;
   spent.loads = world.loads.empty() ? 0 : nodes.loads;
   for (NodeId node : body.system->supports())
@@ -305,13 +308,13 @@ EnergyAccount spent_in_move(const WorldState& world, const Body& body, const Bod
   if (move == ElasticMove::linearized)  // of a nonlinear step, part of what time integration takes
     spent.material_damping += material.stiffness_damping / dt * elastic.change;
   if (move != ElasticMove::linearized) {
-    spent.time_integration = nodes.before + spent.loads + nodes.gravity + spent.supports + body.contact_work -
+    spent.time_integration = nodes.before + spent.loads + nodes.gravity + spent.supports + step.contact_work -
                              nodes.after - stored - spent.plastic - spent.material_damping;
   } else {
-    const double forces = (body.start.rigid ? 0 : elastic.first) + (world.integrates_explicitly() ? 0 : elastic.change);
+    const double forces = (step.start.rigid ? 0 : elastic.first) + (world.integrates_explicitly() ? 0 : elastic.change);
     spent.time_integration =
         nodes.change + nodes.predicted - nodes.after - nodes.beside + forces - stored - spent.plastic;
-    if (!body.start.rigid && !world.integrates_explicitly())
+    if (!step.start.rigid && !world.integrates_explicitly())
       spent.time_integration -= centrifugal_work(world, body, before, external, dt);
   }
   return spent;
@@ -334,8 +337,9 @@ EnergyAccount spent_in_equilibrium(const WorldState& world, const Body& body, co
 
 EnergyAccount spent_in_rigid_move(const WorldState& world, const Body& body, const RigidMotion& before, double dt) {
   const RigidMotion& after = body.motion;
-  const Vec3 mean = 0.5 * (body.start.velocity + before.velocity);
-  const Vec3 beside = after.center - before.center - (body.start.falls ? dt : 0) * mean;
+  const RigidStart& start = world.scratch.bodies[body.id].start;
+  const Vec3 mean = 0.5 * (start.velocity + before.velocity);
+  const Vec3 beside = after.center - before.center - (start.falls ? dt : 0) * mean;
   EnergyAccount spent;
   spent.time_integration =
       kinetic_energy(before) - kinetic_energy(after) + before.mass * world.model->scene.gravity.dot(beside);

@@ -33,7 +33,7 @@ void account_edit(WorldState& world, const EnergyNow& before);
 void account_launch(WorldState& world, const Projectile& projectile, const RigidState& state);
 
 /// Records the start of a substep.
-void record_substep_start(WorldState& world);
+void record_substep_start(const WorldState& world, Scratch& scratch);
 /// Accounts for the energy that contacts took from rigid bodies and projectiles, and for the heights by which these
 /// fell. To be called after their velocities were solved for a substep of `dt` [s] and before bodies move.
 void account_rigid_contacts(WorldState& world, double dt);

@@ -6,13 +6,13 @@
 
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/contact_views.h"
 #include "sim/world/corners.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/explicit/similarity.h"
 #include "sim/world/phases/contact_phase.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/expected_impacts.h"
+#include "sim/world/publish.h"
 #include "sim/world/world_state.h"
 
 namespace griffith {
@@ -231,11 +231,11 @@ void ExplicitRun::record_contact(const explicit_dynamics::MicrostepContacts::Rec
       impact.obstacle >= 0 ? &contacts_->obstacles()[impact.obstacle] : nullptr;
   const ContactView contact{body_of(node).id, obstacle ? world_.body_of(obstacle->object) : BodyId(), impact.place,
                             -impact.normal, impact.impulse};
-  const auto [view, is_new] = contact_views_.try_emplace({node, impact.obstacle}, world_.contact_views.size());
+  const auto [view, is_new] = contact_views_.try_emplace({node, impact.obstacle}, world_.output.contacts.size());
   if (is_new) {
-    world_.contact_views.push_back(contact);
+    world_.output.contacts.push_back(contact);
   } else {
-    merge(world_.contact_views[view->second], contact);
+    merge(world_.output.contacts[view->second], contact);
   }
 }
 

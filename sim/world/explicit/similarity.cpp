@@ -9,7 +9,7 @@
 
 #include "sim/explicit/element_block.h"
 #include "sim/explicit/explicit_bodies.h"
-#include "sim/geometry/connected_groups.h"
+#include "sim/geometry/disjoint_sets.h"
 #include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/conditions/quick_changes.h"
@@ -243,7 +243,7 @@ std::vector<int> explicit_groups(const WorldState& world, double duration) {
   for (int a = 0; a < count; ++a)
     for (int b = 0; b < a; ++b)
       if (!boxes[a].isEmpty() && !boxes[b].isEmpty() && boxes[a].intersects(boxes[b])) meetings.emplace_back(a, b);
-  return contact::connected_groups(count, meetings);
+  return connected_groups(count, meetings);
 }
 
 /// Demands of the bodies of a group.

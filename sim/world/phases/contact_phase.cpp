@@ -9,7 +9,6 @@
 #include "sim/solver/contact_response.h"
 #include "sim/solver/rigid_motion.h"
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/contact_views.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/explicit/struck_bodies.h"
 #include "sim/world/phases/elastic_contacts.h"
@@ -20,6 +19,7 @@
 #include "sim/world/phases/quasi_static.h"
 #include "sim/world/phases/rest_phase.h"
 #include "sim/world/phases/touched_body.h"
+#include "sim/world/publish.h"
 #include "sim/world/world_state.h"
 
 namespace griffith {
@@ -181,11 +181,11 @@ void respond(WorldState& world, TouchedBody& touched, const ElasticObject& objec
   } else {
     body.system->project(touched.change);
     body.system->add_reactions(dt, nodal, world.nodes.constraints, touched.change);
-    read_back_reactions(world, body);
+    read_back_reactions(body, world.nodes.reactions);
   }
   add_changes(world, touched);
   if (body.quasi_static && !reaches_equilibrium(world, body, dt)) keep_whole_motion(world, body);
-  body.contact_work = impulses.cwiseProduct(point_velocities(world, touched)).sum();
+  world.scratch.bodies[body.id].contact_work = impulses.cwiseProduct(point_velocities(world, touched)).sum();
 }
 
 void respond(WorldState& world, TouchedBodies& touched, double dt) {
@@ -193,7 +193,7 @@ void respond(WorldState& world, TouchedBodies& touched, double dt) {
   parallel_for(static_cast<int>(touched.bodies.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) respond(world, touched.bodies[i], touched.objects[i], dt);
   });
-  for (const TouchedBody& of : touched.bodies) world.energy.contacts -= world.bodies[of.body].contact_work;
+  for (const TouchedBody& of : touched.bodies) world.energy.contacts -= world.scratch.bodies[of.body].contact_work;
 }
 
 void apply_corrections(WorldState& world) {
@@ -213,14 +213,18 @@ void apply_corrections(WorldState& world) {
   }
 }
 
+void replace_contacts(WorldState& world, const SpreadContacts& spread) {
+  if (!spread.added.empty()) world.contact_world.replace_contacts(spread.replaced, spread.added);
+}
+
 /// Finds the impulses on which all that touches agrees. Rigid and sleeping bodies that must deform under them do.
 TouchedBodies solve_contacts(WorldState& world, double dt) {
   TouchedBodies touched = touched_bodies(world);
   fit_contacts(world, touched);
-  drop_near_misses(world, touched, dt);
+  keep_contacts(touched, world.contact_world.drop_near_misses(dt, approach_speeds(world, touched)));
   solve_elastic_contacts(world, touched, dt);
   while (make_struck_bodies_elastic(world, dt)) {
-    spread_contacts(world, dt);
+    replace_contacts(world, spread_contacts(world, dt));
     touched = touched_bodies(world);
     solve_elastic_contacts(world, touched, dt);
   }
@@ -274,7 +278,7 @@ void find_contacts(WorldState& world, double dt) {
 
 void resolve_contacts(WorldState& world, double dt) {
   wake_disturbed_bodies(world, dt);
-  spread_contacts(world, dt);
+  replace_contacts(world, spread_contacts(world, dt));
   push_rigid_velocities(world);
   TouchedBodies touched = solve_contacts(world, dt);
   respond(world, touched, dt);
@@ -284,7 +288,7 @@ void resolve_contacts(WorldState& world, double dt) {
   account_rigid_contacts(world, dt);
   apply_corrections(world);
   record_loads(world, dt);
-  record_contacts(world);
+  add_contacts(world, world.output.contacts);
   const int contacts = static_cast<int>(world.contact_world.contacts().size());
   world.report.contacts = std::max(world.report.contacts, contacts);
   world.report.max_penetration = std::max(world.report.max_penetration, world.contact_world.max_penetration());

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "sim/core/parallel.h"
 #include "sim/solver/contact_problem.h"
 #include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/phases/elastic_phase.h"
-#include "sim/world/phases/whole_motion.h"
 #include "sim/world/world_state.h"
 
 namespace griffith {
@@ -230,6 +230,19 @@ void solve_elastic_contacts(WorldState& world, TouchedBodies& touched, double dt
     world.report.unconverged_contacts += group.report.unconverged;
     world.report.contact_iterations += group.report.iterations;
   }
+}
+
+WholeMotion whole_motion(const WorldState& world, const Body& body, double dt) {
+  const std::optional<Pivot> pivot = pivot_of(world, body);
+  if (body.supported() && !pivot) return {};
+  const std::span<const NodeId> nodes = body.system->nodes();
+  Eigen::VectorXd masses(static_cast<Eigen::Index>(nodes.size()));
+  for (std::size_t row = 0; row < nodes.size(); ++row) masses[row] = world.nodes.masses[nodes[row]];
+  NodeVectors places = body.system->gather(world.nodes.positions, world.edges.offsets);
+  WholeMotion whole = pivot ? swinging_motion(std::move(places), std::move(masses), *pivot)
+                            : free_motion(std::move(places), std::move(masses));
+  whole.damping = 1 + dt * world.material_of(body).mass_damping;
+  return whole;
 }
 
 }  // namespace griffith

@@ -2,6 +2,7 @@
 
 #include "sim/solver/contact_problem.h"
 #include "sim/world/phases/touched_body.h"
+#include "sim/world/world_state.h"
 
 namespace griffith {
 
@@ -14,5 +15,9 @@ void solve_elastic_contacts(WorldState& world, TouchedBodies& touched, double dt
 
 /// Returns the inertia of a body against velocity changes in a substep of `dt` [s].
 DeformableInertia deformable_inertia(const WorldState& world, const Body& body, double dt);
+
+/// Returns the motions of a body as a whole within its supports, for the present positions of its nodes, in a substep
+/// of `dt` [s].
+WholeMotion whole_motion(const WorldState& world, const Body& body, double dt);
 
 }  // namespace griffith

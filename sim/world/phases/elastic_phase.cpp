@@ -58,11 +58,11 @@ void add_quadratic_forces(const WorldState& world, const Body& body, std::vector
 
 }  // namespace
 
-void add_elastic_forces(WorldState& world, const Body& body, std::vector<Vec3>& forces) {
+void add_elastic_forces(const WorldState& world, const Body& body, std::vector<Vec3>& forces, Scratch& scratch) {
   if (body.edges.empty()) {
-    add_linear_forces(world, body, world.scratch.elastic_forces, forces);
+    add_linear_forces(world, body, scratch.elastic_forces, forces);
   } else {
-    add_quadratic_forces(world, body, forces, world.scratch.edge_forces);
+    add_quadratic_forces(world, body, forces, scratch.edge_forces);
   }
 }
 
@@ -103,7 +103,7 @@ SolveReport predict_elastic(WorldState& world, Body& body, std::vector<Vec3>& fo
   const bool spins_freely = !body.supported() && has_inner_torque;
   const Vec3 outer_torque = spins_freely ? wrench_of(world, body, forces).torque : Vec3(Vec3::Zero());
   if (body.supported() && !world.integrates_explicitly()) turn_forces_halfway(world, body, dt, forces);
-  add_elastic_forces(world, body, forces);
+  add_elastic_forces(world, body, forces, world.scratch);
   if (spins_freely) remove_inner_torque(world, body, wrench_of(world, body, forces).torque - outer_torque, forces);
   if (world.integrates_explicitly()) {
     predict_explicitly(world, body, forces, dt);
@@ -111,16 +111,13 @@ SolveReport predict_elastic(WorldState& world, Body& body, std::vector<Vec3>& fo
   }
   const SolveReport report =
       body.system->solve(implicit_step(world, body, dt), world.nodes.positions, forces, world.nodes.masses,
-                         world.nodes.constraints, world.nodes.velocities, edge_motion(world));
-  read_back_reactions(world, body);
+                         world.nodes.constraints, world.nodes.velocities,
+                         {world.edges.offsets, world.scratch.edge_forces, world.edges.masses, world.edges.velocities});
+  read_back_reactions(body, world.nodes.reactions);
   return report;
 }
 
 }  // namespace
-
-EdgeMotion edge_motion(WorldState& world) {
-  return {world.edges.offsets, world.scratch.edge_forces, world.edges.masses, world.edges.velocities};
-}
 
 ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt) {
   const Material& material = world.material_of(body);
@@ -188,27 +185,30 @@ void assemble_systems(WorldState& world, double dt) {
   });
 }
 
-void assemble_system(WorldState& world, Body& body, double dt) {
+void assemble_system(const WorldState& world, Body& body, double dt) {
   if (world.integrates_explicitly()) return;
   body.system->assemble(implicit_step(world, body, dt), elastic_law(world.material_of(body)),
                         world.elements.rest_elements, world.elements.states, world.nodes.positions, world.nodes.masses,
                         world.edges.masses);
 }
 
-void read_back_reactions(WorldState& world, const Body& body) {
+void read_back_reactions(const Body& body, std::vector<Vec3>& reactions) {
   const std::span<const NodeId> supports = body.system->supports();
-  for (std::size_t i = 0; i < supports.size(); ++i)
-    world.nodes.reactions[supports[i]] = body.system->reaction_forces()[i];
+  for (std::size_t i = 0; i < supports.size(); ++i) reactions[supports[i]] = body.system->reaction_forces()[i];
 }
 
-void count_solve(WorldState& world, const SolveReport& solve) {
-  world.report.solver_iterations = std::max(world.report.solver_iterations, solve.iterations);
-  world.report.max_relative_residual = std::max(world.report.max_relative_residual, solve.relative_residual);
-  world.report.unconverged_solves += !solve.converged;
+namespace {
+
+void count_solve(const SolveReport& solve, StepReport& report) {
+  report.solver_iterations = std::max(report.solver_iterations, solve.iterations);
+  report.max_relative_residual = std::max(report.max_relative_residual, solve.relative_residual);
+  report.unconverged_solves += !solve.converged;
 }
+
+}  // namespace
 
 void predict_velocities(WorldState& world, Body& body, std::vector<Vec3> forces, double dt) {
-  count_solve(world, predict_elastic(world, body, forces, dt));
+  count_solve(predict_elastic(world, body, forces, dt), world.report);
 }
 
 void predict_velocities(WorldState& world, std::vector<Vec3> forces, double dt) {
@@ -221,18 +221,19 @@ void predict_velocities(WorldState& world, std::vector<Vec3> forces, double dt) 
       if (body.asleep) continue;
       for (const NodeId node : body.nodes) world.nodes.reactions[node].setZero();
       if (body.explicit_state) continue;
+      BodyStep& step = world.scratch.bodies[body.id];
       if (body.rigid) {
-        predict_rigid(world, body, forces, dt);
+        predict_rigid(world, body, forces, dt, step.start);
       } else {
-        body.energy = mechanical_energy(world, body);
-        body.contact_work = 0;
+        step.energy = mechanical_energy(world, body);
+        step.contact_work = 0;
         reports[i] = predict_elastic(world, body, forces, dt);
       }
     }
   });
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     freeze_if_broken_down(world, world.bodies[i]);
-    count_solve(world, reports[i]);
+    count_solve(reports[i], world.report);
   }
 }
 

@@ -12,7 +12,7 @@ void update_elements(WorldState& world);
 /// Assembles the systems of elastic bodies for a substep of `dt` [s].
 void assemble_systems(WorldState& world, double dt);
 /// Assembles the system of one body that was rigid before.
-void assemble_system(WorldState& world, Body& body, double dt);
+void assemble_system(const WorldState& world, Body& body, double dt);
 /// Computes the velocities after a substep of `dt` [s] under `external` and elastic forces [N] without contacts. Nodes
 /// of rigid bodies keep theirs until they move.
 void predict_velocities(WorldState& world, std::vector<Vec3> external, double dt);
@@ -20,14 +20,10 @@ void predict_velocities(WorldState& world, std::vector<Vec3> external, double dt
 void predict_velocities(WorldState& world, Body& body, std::vector<Vec3> external, double dt);
 /// Returns the implicit step of a body.
 ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt);
-/// Returns the edges of all bodies, with their elastic forces of the last predict_velocities().
-EdgeMotion edge_motion(WorldState& world);
 /// Adds the elastic forces of a body's nodes to `forces`, per node of the mesh [N]; sets Scratch::edge_forces of its
 /// edges.
-void add_elastic_forces(WorldState& world, const Body& body, std::vector<Vec3>& forces);
-/// Takes what the supports of a body did from its system, after a solve.
-void read_back_reactions(WorldState& world, const Body& body);
-/// Counts the work of a linear solve for a body.
-void count_solve(WorldState& world, const SolveReport& solve);
+void add_elastic_forces(const WorldState& world, const Body& body, std::vector<Vec3>& forces, Scratch& scratch);
+/// Takes the `reactions` of the supports of a body, per node [N], from its system after a solve.
+void read_back_reactions(const Body& body, std::vector<Vec3>& reactions);
 
 }  // namespace griffith

@@ -263,17 +263,17 @@ double element_size(const WorldState& world, const Contact& contact) {
 
 }  // namespace
 
-void spread_contacts(WorldState& world, double dt) {
-  const std::span<const Contact> contacts = std::as_const(world.contact_world).contacts();
-  std::vector<Contact> added;
-  std::vector<bool> replaced(contacts.size(), false);
+SpreadContacts spread_contacts(const WorldState& world, double dt) {
+  const std::span<const Contact> contacts = world.contact_world.contacts();
+  SpreadContacts result{std::vector<bool>(contacts.size(), false), {}};
+  auto& [replaced, added] = result;
   add_all_ground_contacts(world, dt, added, replaced);
   for (const FacePair& pair : face_pairs(world)) add_face_contacts(world, pair, added);
-  if (added.empty()) return;
+  if (added.empty()) return {};
   std::ranges::stable_sort(added, std::ranges::less(), objects_of);
   for (std::size_t i = 0; i < contacts.size(); ++i)
     if (is_doubled(contacts[i], added, kSamePlace * element_size(world, contacts[i]))) replaced[i] = true;
-  world.contact_world.replace_contacts(replaced, added);
+  return result;
 }
 
 }  // namespace griffith

@@ -6,14 +6,12 @@
 #include <functional>
 #include <optional>
 
-#include "sim/core/free_turn.h"
 #include "sim/core/parallel.h"
 #include "sim/core/rotation.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/phases/contact_phase.h"
 #include "sim/world/phases/elastic_phase.h"
-#include "sim/world/phases/nonlinear_motion.h"
 #include "sim/world/phases/turning.h"
 #include "sim/world/world_state.h"
 
@@ -56,7 +54,7 @@ void move_rigid(WorldState& world, Body& body, double dt) {
 /// Returns the work on the body in a substep that may increase its energy: by external forces, supports and contacts
 /// [J].
 double work_done(const WorldState& world, const Body& body, const std::vector<Vec3>& external, double dt) {
-  double work = body.contact_work;
+  double work = world.scratch.bodies[body.id].contact_work;
   for (NodeId node : body.nodes) work += dt * external[node].dot(world.nodes.velocities[node]);
   for (NodeId node : body.system->supports())
     work += dt * world.nodes.reactions[node].dot(world.nodes.velocities[node]);
@@ -130,11 +128,12 @@ ElasticMove move_elastic(WorldState& world, Body& body, const BodySnapshot& befo
                          double dt) {
   constexpr double kTolerance = 1e-5;
   const bool checked = !world.integrates_explicitly();
-  const double given = checked ? body.energy + work_done(world, body, external, dt) : 0;
+  const double energy = world.scratch.bodies[body.id].energy;
+  const double given = checked ? energy + work_done(world, body, external, dt) : 0;
   move_nodes(world, body, external, dt);
   update_elements(world, body);
   if (!checked) return ElasticMove::linearized;
-  const double noise = energy_of_strain(world, body, 1e-12) + kTolerance * (body.energy + given);
+  const double noise = energy_of_strain(world, body, 1e-12) + kTolerance * (energy + given);
   if (!(mechanical_energy(world, body) > given + noise)) return ElasticMove::linearized;
   return move_nonlinearly(world, body, before, external, dt) ? ElasticMove::nonlinear : ElasticMove::unconverged;
 }
@@ -204,7 +203,7 @@ void restore_angular_momentum(WorldState& world, const Body& body, const BodySna
   const RigidMotion first = rigid_motion(positions, velocities, masses_of(world, body)), now = motion_of(world, body);
   const Vec3 spin = now.inertia.inverse() * (first.inertia * first.angular_velocity) - now.angular_velocity;
   for (NodeId node : body.nodes) world.nodes.velocities[node] += spin.cross(world.nodes.positions[node] - now.center);
-  add_spin_to_edges(world, body, spin);
+  add_spin_to_edges(body, spin, world.edges);
 }
 
 void keep_whole_motion(WorldState& world, const Body& body) {
@@ -246,14 +245,14 @@ void place_rigid_nodes(WorldState& world, const Body& body) {
   }
 }
 
-void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>& forces, double dt) {
+void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>& forces, double dt, RigidStart& start) {
   if (body.supported()) return;  // frozen: its supports hold it
   const auto [force, torque] = wrench_of(world, body, forces);
   RigidMotion& motion = body.motion;
   const double damping = 1 + dt * world.material_of(body).mass_damping;
-  body.start.force = force;
-  body.start.torque = torque;
-  body.start.falls = true;
+  start.force = force;
+  start.torque = torque;
+  start.falls = true;
   motion.velocity = (motion.velocity + dt / motion.mass * force) / damping;
   motion.angular_velocity = (motion.angular_velocity + dt * (motion.inertia.inverse() * torque)) / damping;
 }

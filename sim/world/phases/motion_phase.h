@@ -11,7 +11,8 @@ namespace griffith {
 void make_elastic(WorldState& world, Body& body);
 /// Sets whether a body is ballistic: then all impacts on it are predicted.
 void set_ballistic(WorldState& world, Body& body, bool ballistic);
-void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>& forces, double dt);
+/// Applies the external `forces` [N] of a substep of `dt` [s] to a rigid body; its loads are recorded in `start`.
+void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>& forces, double dt, RigidStart& start);
 /// Moves every body by its velocities and takes the elastic state after; `external` as in predict_velocities().
 void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt);
 /// Moves the nodes of a body from `before` by the part of its velocities that does not deform it, in a substep of `dt`
@@ -45,5 +46,16 @@ double kinetic_energy_of(const WorldState& world, const Body& body);
 double mechanical_energy(const WorldState& world, const Body& body);
 /// Returns the energy of a uniform strain of this size in a body [J].
 double energy_of_strain(const WorldState& world, const Body& body, double strain);
+
+/// Moves a body by the nonlinear implicit step of `dt` [s] instead of the linearized one, which strains bodies that
+/// rotate far in a step. Its motion as a whole and the impulses of its contacts are kept; the velocities that deform it
+/// minimize
+///   ½ eᵀ M e + ½ h β eᵀ K e − eᵀ (M v + h f_external + p) + Ψ(x + h e)
+/// (Martin, Thomaszewski, Grinspun & Gross 2011), so that its energy does not exceed the energy that it had and
+/// received. Newton's method with the matrix of the moved body and a line search finds them. `before`: the body with
+/// the solved velocities, before it moved; the present nodes are moved by them. `external`: forces per node of the mesh
+/// [N]. Returns false if it did not converge.
+bool move_nonlinearly(WorldState& world, Body& body, const BodySnapshot& before, const std::vector<Vec3>& external,
+                      double dt);
 
 }  // namespace griffith

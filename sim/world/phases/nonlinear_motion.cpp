@@ -1,11 +1,9 @@
-#include "sim/world/phases/nonlinear_motion.h"
-
 #include <cmath>
 
 #include "sim/solver/conjugate_gradient.h"
+#include "sim/world/phases/elastic_contacts.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/motion_phase.h"
-#include "sim/world/phases/whole_motion.h"
 
 namespace griffith {
 namespace {
@@ -95,7 +93,7 @@ class Deformation {
   /// Returns h f of the elastic forces at the present positions.
   NodeVectors elastic_impulses() const {
     std::vector<Vec3> forces(world_.nodes.positions.size(), Vec3::Zero());
-    add_elastic_forces(world_, body_, forces);
+    add_elastic_forces(world_, body_, forces, world_.scratch);
     return dt_ * body_.system->gather(forces, world_.scratch.edge_forces);
   }
   /// Returns the resistance of mass and damping to the velocities: M e + h β K e.

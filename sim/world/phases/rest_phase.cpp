@@ -163,9 +163,10 @@ void update_sleep(WorldState& world, double time_step) {
 }
 
 void join_substep(WorldState& world, Body& body, bool slept, double dt) {
-  body.start.rigid = !slept;
-  body.contact_work = 0;
-  body.energy = mechanical_energy(world, body);
+  BodyStep& step = world.scratch.bodies[body.id];
+  step.start.rigid = !slept;
+  step.contact_work = 0;
+  step.energy = mechanical_energy(world, body);
   assemble_system(world, body, dt);
   if (slept) predict_velocities(world, body, external_forces(world, dt), dt);
 }

@@ -58,7 +58,7 @@ double average_tension(const WorldState& world, const SeparationInput& input, Te
   separation.averaging_radius = 0;
   if (separation.stress <= kWorthAveraging * strength) return separation.stress / strength;
   const TensionZone zone = tension_zone_at(world, zones, node);
-  if (zone.parts.empty()) return separation.stress / strength;
+  if (zone.parts.empty() || tension <= 0) return separation.stress / strength;
   separation.averaging_radius = zone.radius;
   separation.mean_tension =
       separation.stress * std::min(1.0, mean_tension(input, zone, separation.direction) / tension);
@@ -104,7 +104,7 @@ void evaluate_fours(WorldState& world, const SeparationInput& input, std::span<c
     std::array<DirectionalStrength, 4> strengths;
     for (std::size_t i = 0; i < 4; ++i)
       strengths[i] = i < four.size() ? directional_strength_at(world, input, four[i]) : strengths[i - 1];
-    std::array<CandidatePlane, 4> planes = candidate_planes(loads, strengths);
+    const std::array<CandidatePlane, 4> planes = candidate_planes(loads, strengths);
     for (std::size_t i = 0; i < four.size(); ++i) {
       NodeSeparation& separation = world.nodes.separations[four[i]];
       separation.tensor = loads[i].tensor;

@@ -34,28 +34,6 @@ bool is_elastic(const WorldState& world, ProxyId object) {
   return id.valid() && !world.bodies[id].rigid && !world.bodies[id].asleep;
 }
 
-/// Returns the approach speed of the sides of each contact without its impulse [m/s].
-std::vector<double> approach_speeds(const WorldState& world, const TouchedBodies& touched) {
-  const std::span<const Contact> contacts = world.contact_world.contacts();
-  std::vector<double> speeds(contacts.size(), 0.0);
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    for (const auto& [object, side] : {std::pair(contacts[i].a, 1.0), std::pair(contacts[i].b, -1.0)}) {
-      if (is_elastic(world, object)) continue;
-      const RigidState state = world.contact_world.state(object);
-      const Vec3 arm = contacts[i].position - state.pose.translation;
-      speeds[i] -= side * contacts[i].normal.dot(state.velocity + state.angular_velocity.cross(arm));
-    }
-  for (std::size_t i = 0; i < touched.bodies.size(); ++i) {
-    const Eigen::Matrix3Xd velocities = point_velocities(world, touched.bodies[i]);
-    for (Eigen::Index k = 0; k < velocities.cols(); ++k) {
-      const int index = touched.objects[i].contacts[k];
-      const double side = contacts[index].a == touched.objects[i].object ? 1 : -1;
-      speeds[index] -= side * contacts[index].normal.dot(velocities.col(k));
-    }
-  }
-  return speeds;
-}
-
 void list_contacts(const WorldState& world, TouchedBodies& touched) {
   std::vector<int> index_of_body(world.bodies.size(), -1);
   const std::span<const Contact> contacts = world.contact_world.contacts();
@@ -135,8 +113,28 @@ void fit_contacts(WorldState& world, TouchedBodies& touched) {
   correct_places(world, touched);
 }
 
-void drop_near_misses(WorldState& world, TouchedBodies& touched, double dt) {
-  const std::vector<int> index = world.contact_world.drop_near_misses(dt, approach_speeds(world, touched));
+std::vector<double> approach_speeds(const WorldState& world, const TouchedBodies& touched) {
+  const std::span<const Contact> contacts = world.contact_world.contacts();
+  std::vector<double> speeds(contacts.size(), 0.0);
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    for (const auto& [object, side] : {std::pair(contacts[i].a, 1.0), std::pair(contacts[i].b, -1.0)}) {
+      if (is_elastic(world, object)) continue;
+      const RigidState state = world.contact_world.state(object);
+      const Vec3 arm = contacts[i].position - state.pose.translation;
+      speeds[i] -= side * contacts[i].normal.dot(state.velocity + state.angular_velocity.cross(arm));
+    }
+  for (std::size_t i = 0; i < touched.bodies.size(); ++i) {
+    const Eigen::Matrix3Xd velocities = point_velocities(world, touched.bodies[i]);
+    for (Eigen::Index k = 0; k < velocities.cols(); ++k) {
+      const int index = touched.objects[i].contacts[k];
+      const double side = contacts[index].a == touched.objects[i].object ? 1 : -1;
+      speeds[index] -= side * contacts[index].normal.dot(velocities.col(k));
+    }
+  }
+  return speeds;
+}
+
+void keep_contacts(TouchedBodies& touched, std::span<const int> index) {
   for (std::size_t i = 0; i < touched.bodies.size(); ++i) {
     std::vector<TouchedPoint> points;
     std::vector<int> contacts;

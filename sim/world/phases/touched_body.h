@@ -37,8 +37,11 @@ TouchedBodies touched_bodies(const WorldState& world);
 /// Moves the contacts from the surfaces of the proxies, which do not deform, to those of the deformed bodies, and
 /// corrects their distances; those of nodes are right.
 void fit_contacts(WorldState& world, TouchedBodies& touched);
-/// Leaves out the contacts that will not push in a substep of `dt` [s]: here and in the contact world.
-void drop_near_misses(WorldState& world, TouchedBodies& touched, double dt);
+/// Returns the approach speed of the sides of each contact without its impulse [m/s], for
+/// ContactWorld::drop_near_misses().
+std::vector<double> approach_speeds(const WorldState& world, const TouchedBodies& touched);
+/// Leaves out the contacts that the contact world has dropped. `index`: the new index of each, or -1.
+void keep_contacts(TouchedBodies& touched, std::span<const int> index);
 /// Returns the rows of its body's system that determine a point of the surface.
 WeightedRows weighted_rows(const WorldState& world, const SurfacePoint& point);
 /// Returns the velocities of the contact points for the present velocities of the body's nodes: J v.

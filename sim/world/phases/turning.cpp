@@ -2,14 +2,13 @@
 
 #include <Eigen/LU>
 
-#include "sim/core/free_turn.h"
 #include "sim/core/rotation.h"
 #include "sim/world/bodies/bodies.h"
 
 namespace griffith {
 
-void add_spin_to_edges(WorldState& world, const Body& body, const Vec3& spin) {
-  for (const EdgeId edge : body.edges) world.edges.velocities[edge] += spin.cross(world.edges.offsets[edge]);
+void add_spin_to_edges(const Body& body, const Vec3& spin, EdgeArrays& edges) {
+  for (const EdgeId edge : body.edges) edges.velocities[edge] += spin.cross(edges.offsets[edge]);
 }
 
 Eigen::VectorXd masses_of(const WorldState& world, const Body& body) {
@@ -22,9 +21,9 @@ namespace {
 
 /// Moves the edges of a body that turns by `turn` in a substep of `dt` [s]: they turn along, and what their velocities
 /// have beside `spin` [rad/s] bends them. Velocities are left without what turning makes of them.
-void turn_edges(WorldState& world, const Body& body, const Vec3& spin, const Mat3& turn, double dt) {
+void turn_edges(const Body& body, const Vec3& spin, const Mat3& turn, double dt, EdgeArrays& edges) {
   for (const EdgeId edge : body.edges) {
-    Vec3 &offset = world.edges.offsets[edge], &velocity = world.edges.velocities[edge];
+    Vec3 &offset = edges.offsets[edge], &velocity = edges.velocities[edge];
     const Vec3 bending = velocity - spin.cross(offset);
     offset = turn * (offset + dt * bending);
     velocity = turn * bending;
@@ -54,12 +53,12 @@ void move_free(WorldState& world, const Body& body, double dt) {
     position = center + turn * (position - before.center + dt * deforming);
     velocity = turn * deforming;
   }
-  turn_edges(world, body, before.angular_velocity, turn, dt);
+  turn_edges(body, before.angular_velocity, turn, dt, world.edges);
   const RigidMotion after = motion_of(world, body);
   const Vec3 spin = after.inertia.inverse() * (before.inertia * before.angular_velocity);
   for (NodeId node : body.nodes)
     world.nodes.velocities[node] += before.velocity + spin.cross(world.nodes.positions[node] - center);
-  add_spin_to_edges(world, body, spin);
+  add_spin_to_edges(body, spin, world.edges);
 }
 
 namespace {
@@ -69,7 +68,7 @@ namespace {
 /// velocity that avoids penetration.
 Vec3 mean_spin(const WorldState& world, const Body& body, const Pivot& pivot, const Vec3& spin,
                const std::vector<Vec3>& external, double dt) {
-  if (body.contact_work != 0) return spin;
+  if (world.scratch.bodies[body.id].contact_work != 0) return spin;
   constexpr int kIterations = 3;
   const NodeVectors positions = of_nodes(body, world.nodes.positions), forces = of_nodes(body, external);
   const Eigen::VectorXd masses = masses_of(world, body);
@@ -95,7 +94,7 @@ void move_swinging(WorldState& world, const Body& body, const Pivot& pivot, cons
     const NodeConstraint& constraint = world.nodes.constraints[node];
     position = from + constraint.allowed * (position - from);
   }
-  turn_edges(world, body, before.spin, turn, dt);
+  turn_edges(body, before.spin, turn, dt, world.edges);
   const Turning after = turning_of(world, body, pivot);
   const Mat3 turned = pivot.axes.cols() == 3 ? Mat3(Mat3::Identity()) : turn;
   const Eigen::MatrixXd inertia = pivot.axes.transpose() * after.inertia * pivot.axes;
@@ -106,7 +105,7 @@ void move_swinging(WorldState& world, const Body& body, const Pivot& pivot, cons
     velocity =
         world.nodes.constraints[node].allowed * (velocity + spin.cross(world.nodes.positions[node] - pivot.place));
   }
-  add_spin_to_edges(world, body, spin);
+  add_spin_to_edges(body, spin, world.edges);
 }
 
 }  // namespace griffith

@@ -127,9 +127,9 @@ Pieces add_scene_body(Model& model, WorldState& world, int scene_body, const Sha
   const auto [first_node, first_tet] = rest.range;
   append_nodes(world, description);
   append_elements(world, first_tet);
-  place_supports(world, scene_body, rest, model.findings);
-  place_loads(world, scene_body, rest, model.findings);
-  place_probes(world, scene_body, rest, model.findings);
+  place_supports(model.scene, scene_body, rest, world.supports, model.findings);
+  place_loads(world, scene_body, rest, world.loads, model.findings);
+  place_probes(model.scene, scene_body, rest, world.probes, model.findings);
   place_splinters(model, scene_body, rest, monitor);
   model.element_choices.push_back(choose_elements(model.scene, scene_body, shape.mesh));
   if (model.element_choices.back().order == ElementOrder::quadratic) append_edges(world, first_tet);
@@ -291,7 +291,7 @@ WorldState build_world(const Scene& scene, const Monitor& monitor, const InMemor
   for (int i = 0; i < static_cast<int>(world.materials.size()); ++i) check_substep_count(world, i, world.materials[i]);
   const auto yields = [](const Material& material) { return material.yield_strength.has_value(); };
   if (std::ranges::any_of(world.materials, yields)) world.elements.allow_strains();
-  for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) set_residual_strains(world, i);
+  for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) set_residual_strains(world, i, world.elements);
   if (monitor.is_cancelled()) throw Cancelled();
   monitor.enter("Finding the start");
   find_static_start(world, -1, monitor);

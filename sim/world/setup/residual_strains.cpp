@@ -72,7 +72,7 @@ std::vector<Mat3> parabolic_strains(const WorldState& world, const std::vector<T
 
 }  // namespace
 
-void set_residual_strains(WorldState& world, int scene_body) {
+void set_residual_strains(const WorldState& world, int scene_body, ElementArrays& elements) {
   const BodyDescription& description = world.model->scene.bodies[scene_body];
   if (!description.residual_stress) return;
   const std::vector<TetId> tets = tets_of(world, scene_body);
@@ -88,15 +88,15 @@ void set_residual_strains(WorldState& world, int scene_body) {
         file_path(world.model->scene.folder, std::get<StrainFile>(*description.residual_stress).path), tets.size());
     for (Mat3& strain : strains) strain = rotation * strain * rotation.transpose();
   }
-  world.elements.allow_strains();
-  for (std::size_t i = 0; i < tets.size(); ++i) world.elements.plastic_strains[tets[i]] = strains[i];
+  elements.allow_strains();
+  for (std::size_t i = 0; i < tets.size(); ++i) elements.plastic_strains[tets[i]] = strains[i];
 }
 
-void reset_residual_strains(WorldState& world, int scene_body) {
+void reset_residual_strains(const WorldState& world, int scene_body, ElementArrays& elements) {
   const std::optional<ResidualStress>& residual = world.model->scene.bodies[scene_body].residual_stress;
-  if (world.elements.plastic_strains.empty() || (residual && std::holds_alternative<StrainFile>(*residual))) return;
-  for (const TetId tet : tets_of(world, scene_body)) world.elements.plastic_strains[tet].setZero();
-  set_residual_strains(world, scene_body);
+  if (elements.plastic_strains.empty() || (residual && std::holds_alternative<StrainFile>(*residual))) return;
+  for (const TetId tet : tets_of(world, scene_body)) elements.plastic_strains[tet].setZero();
+  set_residual_strains(world, scene_body, elements);
 }
 
 }  // namespace griffith

@@ -1,6 +1,6 @@
 #include "sim/world/setup/rest_body.h"
 
-#include "sim/scene/region_nodes.h"
+#include "sim/scene/region.h"
 
 namespace griffith {
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -9,6 +10,7 @@
 #include "sim/core/monitor.h"
 #include "sim/mesh/tet_mesh.h"
 #include "sim/scene/scene.h"
+#include "sim/scene/shape.h"
 #include "sim/world/setup/in_memory_meshes.h"
 
 namespace griffith {
@@ -47,5 +49,12 @@ class ShapeMeshes {
 
 /// Returns the JSON pointer of a body's shape in a scene file.
 std::string shape_pointer(const Scene& scene, int scene_body);
+
+/// Returns the tets of a shape in the body's rest space [m], to be prepared (mesh_report.h). Relative paths start at
+/// `folder`. A surface is filled, or its mesh is taken from the cache. `findings` receives oddities of the file for the
+/// user, a sentence each. Throws InputError if the mesh cannot be made or read, and Cancelled if the monitor requests
+/// it.
+TetSoup make_soup(const Shape& shape, const std::filesystem::path& folder, std::vector<std::string>* findings = nullptr,
+                  const Monitor& monitor = {});
 
 }  // namespace griffith

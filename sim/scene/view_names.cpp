@@ -1,33 +1,8 @@
-#include "sim/scene/view_quantity.h"
+#include "sim/scene/view_names.h"
 
 #include <array>
 
 namespace griffith {
-
-std::span<const ViewQuantity> view_quantities() {
-  static constexpr std::array<ViewQuantity, 19> kQuantities = {{
-      {"utilization", "utilization", "-"},
-      {"von_mises", "von Mises stress", "Pa"},
-      {"max_principal_stress", "largest principal stress", "Pa", true},
-      {"mid_principal_stress", "middle principal stress", "Pa", true},
-      {"min_principal_stress", "smallest principal stress", "Pa", true},
-      {"pressure", "pressure", "Pa", true},
-      {"separation_stress", "separation stress", "Pa"},
-      {"separation_eigenvalue", "separation eigenvalue", "N"},
-      {"strain_energy", "strain energy density", "J/m³"},
-      {"displacement", "displacement", "m"},
-      {"speed", "speed", "m/s"},
-      {"element_quality", "element quality", "-"},
-      {"crack_age", "age of crack faces", "s"},
-      {"plain", "plain", ""},
-      {"material", "material", ""},
-      {"body", "body", ""},
-      {"tet", "element", ""},
-      {"splinter", "splinter", ""},
-      {"texture", "texture coordinates", ""},
-  }};
-  return kQuantities;
-}
 
 std::span<const ViewLayerInfo> view_layers() {
   static constexpr std::array<ViewLayerInfo, 13> kLayers = {{

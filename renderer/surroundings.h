@@ -5,6 +5,17 @@
 
 namespace griffith::render {
 
+/// Gradient of the background; covers the whole target and leaves depth and ids unchanged.
+class BackgroundPass {
+ public:
+  BackgroundPass();
+  void draw(const Background& background) const;
+
+ private:
+  ShaderProgram program_;
+  VertexArray vertices_;
+};
+
 /// Spacing of the ground's grid: powers of ten that suit the view. The finest lines fade as the view widens, so that no
 /// spacing appears or disappears abruptly.
 struct GridLevel {

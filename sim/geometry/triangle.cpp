@@ -1,4 +1,4 @@
-#include "sim/geometry/triangle_hit.h"
+#include "sim/geometry/triangle.h"
 
 namespace griffith {
 

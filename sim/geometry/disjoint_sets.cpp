@@ -1,8 +1,6 @@
-#include "sim/geometry/connected_groups.h"
-
 #include "sim/geometry/disjoint_sets.h"
 
-namespace griffith::contact {
+namespace griffith {
 
 std::vector<int> connected_groups(int count, std::span<const std::pair<int, int>> edges) {
   DisjointSets sets(count);
@@ -12,4 +10,4 @@ std::vector<int> connected_groups(int count, std::span<const std::pair<int, int>
   return groups;
 }
 
-}  // namespace griffith::contact
+}  // namespace griffith

@@ -1,11 +1,9 @@
-#include "sim/core/free_turn.h"
+#include "sim/core/rotation.h"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "sim/core/rotation.h"
 
 namespace griffith {
 namespace {

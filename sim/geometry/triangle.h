@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "sim/core/linear_algebra.h"
 
@@ -24,5 +25,10 @@ inline Vec3 closest_on_triangle(const Vec3& p, const std::array<Vec3, 3>& corner
   const double sum = va + vb + vc;
   return {va / sum, vb / sum, vc / sum};
 }
+
+/// Returns the parameter t > 0 at which origin + t · direction hits the triangle abc from either side (Möller &
+/// Trumbore 1997) [lengths of `direction`].
+std::optional<double> triangle_hit(const Vec3& origin, const Vec3& direction, const Vec3& a, const Vec3& b,
+                                   const Vec3& c);
 
 }  // namespace griffith

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "app/picture/skin.h"
 #include "renderer/embedded_surface.h"
 #include "sim/world/frame.h"
 
@@ -18,5 +19,10 @@ void add_splinters(const Frame& frame, std::span<const std::array<int, 4>> order
 
 /// Adds the carrier of each of their parts in this frame.
 void add_carriers(const Frame& frame, std::vector<std::int32_t>& carriers);
+
+/// Adds a body's surface to `mesh`; its parts, one for each corner, are numbered from `first_part`, its pieces, one for
+/// each part, from `first_piece`. `orders`: summation_orders() of the first frame.
+void add_skin(const Frame& frame, std::span<const std::array<int, 4>> orders, const Skin& skin, int first_part,
+              int first_piece, render::EmbeddedMesh& mesh);
 
 }  // namespace griffith::app

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "ui/widgets/panel.h"
+
+namespace griffith::ui {
+
+// Region of the active support, load or probe, at the start of the simulation, for which scenes define it.
+
+/// Lets the mouse drag the faces of a box and the surface of a sphere. Call it after the item that the picture fills.
+/// True if the region takes the mouse.
+bool drag_region(Panel& panel);
+
+/// Draws the outline of the region over the picture, with its grips.
+void draw_region(Panel& panel);
+
+// Region of the active support, load or probe, painted on its body at the start of the simulation.
+
+/// Lets the mouse paint nodes, or erase them with Ctrl, while painting is on; a drag that begins off the body rotates
+/// the view as usual. Call it after the item that the picture fills. True if the brush takes the mouse.
+bool paint_region(Panel& panel);
+
+/// Draws the nodes of a painted region over the picture, and the brush.
+void draw_painted_region(Panel& panel);
+
+/// Lets the mouse move and rotate the selected entries if the gizmo is shown and the simulation is at its start. An
+/// arrow or plane moves all of them, a ring rotates the active one. Call it after the item that the picture fills. True
+/// if the gizmo takes the mouse.
+bool drag_gizmo(Panel& panel);
+
+/// Draws the gizmo over the picture.
+void draw_gizmo(Panel& panel);
+
+/// Aims while the right button is held in the view, which was drawn last. Releasing it fires, Escape cancels. `cursor`:
+/// position of the mouse in the view.
+void aim_shot(Panel& panel, const Vec2& cursor);
+
+/// Draws the predicted path of the aimed shot and its hit.
+void draw_aim(const Panel& panel);
+
+/// Draws the compared branch over the picture in the view, right of a border that can be dragged or as a ghost, with
+/// the names of both branches and their difference.
+void draw_comparison(Panel& panel);
+
+}  // namespace griffith::ui
