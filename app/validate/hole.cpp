@@ -65,7 +65,6 @@ Experiment plate_with_hole() {
           .acceptance =
               "1 mm: the hole has no effect but the section that it takes (0.85 to 1.05 σ_t). 100 mm: σ_t over the "
               "stress concentration of 3.03, ± 10 %. ± 15 % over meshes and patterns.",
-          .cause = "Strength decides at single nodes, whatever the size of the overloaded region.",
           .meshes = {"6 elements a quadrant", "12 a quadrant", "24 a quadrant"},
           .run = run_hole};
 }

@@ -17,12 +17,13 @@ double distance_at_rest(const TetMesh& mesh, NodeId node, TetId tet) {
 
 }  // namespace
 
-std::vector<TensionZone::Part> TensionZones::parts_within(NodeId node, double radius) {
-  std::vector<TensionZone::Part> parts;
+TensionZone TensionZones::zone_within(NodeId node, double radius) {
+  TensionZone zone{{}, radius};
+  std::vector<TensionZone::Part>& parts = zone.parts;
   const auto weight_of = [&](TetId tet) { return 1 - distance_at_rest(mesh_, node, tet) / radius; };
   for (const TetId tet : mesh_.stars[node])
     if (const double weight = weight_of(tet); weight > 0) parts.push_back({tet, weight});
-  if (parts.empty()) return parts;
+  if (parts.empty()) return zone;
   seen_.resize(mesh_.tets.size(), 0);
   ++search_;
   for (const TensionZone::Part& part : parts) seen_[part.tet.index()] = search_;
@@ -32,18 +33,18 @@ std::vector<TensionZone::Part> TensionZones::parts_within(NodeId node, double ra
       seen_[next.index()] = search_;
       if (const double weight = weight_of(next); weight > 0) parts.push_back({next, weight});
     }
-  return parts;
+  return zone;
 }
 
 bool TensionZones::is_at_front(TetId tet) const {
   return std::ranges::any_of(mesh_.tets[tet], [&](NodeId corner) { return at_crack_front_[corner] != 0; });
 }
 
-TensionZone TensionZones::zone_of(NodeId node, double length) {
-  TensionZone zone{parts_within(node, kBesideCracks * length), kBesideCracks * length};
+TensionZone TensionZones::zone_of(NodeId node, double length, double depth) {
+  TensionZone zone = zone_within(node, std::min(kBesideCracks * length, depth));
   if (std::ranges::any_of(zone.parts, [&](const TensionZone::Part& part) { return is_at_front(part.tet); }))
     return zone;
-  return {parts_within(node, kElsewhere * length), kElsewhere * length};
+  return zone_within(node, std::min(kElsewhere * length, depth));
 }
 
 double mean_tension(const SeparationInput& input, const TensionZone& zone, const Vec3& normal) {

@@ -29,15 +29,17 @@ class TensionZones {
       : mesh_(mesh), at_crack_front_(at_crack_front) {}
 
   /// Returns the zone of a node: the tets that its own ones reach through faces and whose centroids at rest are within
-  /// a radius. `length`: l_ch [m], > 0.
+  /// a radius, at most half of a plate's thickness: a crack through the body is long enough.
   ///   near a crack front   π/4 l_ch, that of a round crack that runs at σ_t (Sneddon 1946). A second crack beside a
   ///                        first one thus needs the energy of two.
   ///   elsewhere            0.24 l_ch. It gives the mean tension σ_t ahead of a sharp notch at its critical load
   ///                        (theory of critical distances, Taylor 2007).
-  TensionZone zone_of(NodeId node, double length);
+  ///   length  l_ch [m], > 0
+  ///   depth   volume of the body over its surface [m]
+  TensionZone zone_of(NodeId node, double length, double depth);
 
  private:
-  std::vector<TensionZone::Part> parts_within(NodeId node, double radius);
+  TensionZone zone_within(NodeId node, double radius);
   bool is_at_front(TetId tet) const;
 
   const TetMesh& mesh_;

@@ -76,6 +76,7 @@ struct alignas(64) Body {
   std::vector<ConvexPart> collision_parts;  ///< convex parts of the proxy, for the frame [m]
   double highest_frequency = 0;             ///< [rad/s]; 0 until explicit integration asks for it
   double element_size = 0;                  ///< edge length of the cubes that six of its tets would fill, mean [m]
+  double depth = 0;                         ///< volume over surface at rest, half the thickness of a plate [m]
   double extent = 0;                        ///< longest edge of the box around it at rest [m]
   double weakest_fraction = 1;              ///< fraction of its material's resistance at its weakest node and plane [-]
   std::optional<ScaledImpact> scaled;       ///< record of the last step, if any

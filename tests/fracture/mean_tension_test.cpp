@@ -26,6 +26,7 @@ struct StressField {
   std::vector<ElementState> states;
   std::vector<NodeConstraint> constraints;
   std::vector<std::uint8_t> at_crack_front;
+  double depth = 10;  ///< [m]
 
   StressField(TetMesh made, const std::function<Mat3(const Vec3&)>& stress, const Mat3& turn = Mat3::Identity())
       : mesh(std::move(made)), constraints(mesh.rest_positions.size()), at_crack_front(mesh.rest_positions.size()) {
@@ -48,7 +49,7 @@ struct StressField {
     return NodeId(std::ranges::min_element(mesh.rest_positions, {}, distance) - mesh.rest_positions.begin());
   }
   TensionZone zone(NodeId node, double length) const {
-    return TensionZones(mesh, at_crack_front).zone_of(node, length);
+    return TensionZones(mesh, at_crack_front).zone_of(node, length, depth);
   }
   double mean(NodeId node, double length, const Vec3& normal) const {
     return mean_tension(input(), zone(node, length), normal);
@@ -113,6 +114,12 @@ TEST_P(MeanTension, AheadOfACrackFollowsItsStressIntensity) {
 TEST_P(MeanTension, OfCompressionIsNone) {
   const StressField body(box(GetParam()), [](const Vec3&) { return pull(-3e6); });
   EXPECT_EQ(body.mean(body.nearest(Vec3::Zero()), 1, Vec3::UnitX()), 0);
+}
+
+TEST_P(MeanTension, ReachesNoFartherThanHalfOfAPlatesThickness) {
+  StressField body(box(GetParam()), [](const Vec3&) { return pull(1); });
+  body.depth = 2.5 * kSize;
+  EXPECT_EQ(body.zone(body.nearest(Vec3::Zero()), 1).radius, 2.5 * kSize);
 }
 
 TEST_P(MeanTension, HasNoZoneWhereElementsAreLarger) {

@@ -179,6 +179,33 @@ void update_motion(const WorldState& world, Body& body) {
   body.orientation = Quat(best_rotation(correlation)).normalized();
 }
 
+namespace {
+
+/// True if the body goes on beyond a face: a plane of symmetry, or a support that holds it.
+bool is_continued(const WorldState& world, TetId tet, const std::array<int, 3>& corners, const Vec3& normal) {
+  return std::ranges::all_of(corners, [&](int corner) {
+    const NodeConstraint& constraint = world.nodes.constraints[world.mesh->tets[tet][corner]];
+    return !constraint.is_free() && (constraint.allowed * normal).norm() < 1e-6;
+  });
+}
+
+/// Returns the volume of a body over its surface at rest, without faces beyond which it goes on [m].
+double depth_of(const WorldState& world, const Body& body) {
+  double volume = 0, area = 0;
+  for (const TetId tet : body.tets) volume += world.elements.rest_elements[tet].volume;
+  for (const auto& [tet, face] : body.surface) {
+    const std::array<int, 3>& corners = kTetFaces[face];
+    const auto place = [&](int i) -> const Vec3& {
+      return world.mesh->rest_positions[world.mesh->tets[tet][corners[i]]];
+    };
+    const Vec3 normal = (place(1) - place(0)).cross(place(2) - place(0));
+    if (!is_continued(world, tet, corners, normal.normalized())) area += normal.norm() / 2;
+  }
+  return area > 0 ? volume / area : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
 double rebuild_shape(WorldState& world, Body& body) {
   body.nodes = nodes_of(world.mesh, body.tets);
   body.surface.clear();
@@ -199,6 +226,7 @@ double rebuild_shape(WorldState& world, Body& body) {
   body.reference_offsets = gather(world.edges.offsets, body.edges);
   body.orientation.setIdentity();
   body.element_size = mean_element_size(world.elements.rest_elements, body.tets);
+  body.depth = depth_of(world, body);
   body.extent = extent_of(world, body);
   body.weakest_fraction = weakest_fraction_of(world, body);
   body.asleep = body.ballistic = false;

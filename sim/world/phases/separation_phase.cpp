@@ -144,7 +144,8 @@ double fracture_energy_at(const WorldState& world, NodeId node, const Vec3& norm
 }
 
 TensionZone tension_zone_at(const WorldState& world, TensionZones& zones, NodeId node) {
-  return zones.zone_of(node, characteristic_length(world.material_of(body_at(world, node))));
+  const Body& body = body_at(world, node);
+  return zones.zone_of(node, characteristic_length(world.material_of(body)), body.depth);
 }
 
 void evaluate_nodes(WorldState& world, const SeparationInput& input, std::span<const NodeId> nodes, bool averaged) {
