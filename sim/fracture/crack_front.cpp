@@ -71,19 +71,6 @@ Vec3 reaction(const TetMesh& mesh, const std::vector<TetId>& star, std::span<con
   return (volumes[0] * sums[1] - volumes[1] * sums[0]) / (volumes[0] + volumes[1]);
 }
 
-/// Returns a third of the linked faces at a node between the sides, as a vector to the upper one [m²].
-Vec3 linked_area(const TetMesh& mesh, NodeId node, std::span<const std::uint8_t> above) {
-  const std::vector<TetId>& star = mesh.stars[node];
-  Vec3 area = Vec3::Zero();
-  for (std::size_t i = 0; i < star.size(); ++i)
-    for (int face = 0; face < 4 && above[i] == 0; ++face) {
-      const TetId next = mesh.neighbors[star[i]][face];
-      if (next.valid() && mesh.tets[star[i]][face] != node && above[index_in(star, next)] != 0)
-        area += third_of_face(mesh, star[i], kTetFaces[face]);
-    }
-  return area;
-}
-
 /// Returns the sides of the plane through `place`, by centroids.
 std::vector<std::uint8_t> sides_of_plane(std::span<const Corners> star, const Vec3& normal, const Vec3& place) {
   std::vector<std::uint8_t> above;
@@ -125,6 +112,18 @@ std::vector<OpenFace> open_faces_at(const TetMesh& mesh, std::span<const NodeId>
 Vec3 third_of_face(const TetMesh& mesh, TetId tet, const std::array<int, 3>& corners) {
   const auto place = [&](int i) -> const Vec3& { return mesh.rest_positions[mesh.tets[tet][corners[i]]]; };
   return (place(1) - place(0)).cross(place(2) - place(0)) / 6;
+}
+
+Vec3 linked_area(const TetMesh& mesh, NodeId node, std::span<const std::uint8_t> above) {
+  const std::vector<TetId>& star = mesh.stars[node];
+  Vec3 area = Vec3::Zero();
+  for (std::size_t i = 0; i < star.size(); ++i)
+    for (int face = 0; face < 4 && above[i] == 0; ++face) {
+      const TetId next = mesh.neighbors[star[i]][face];
+      if (next.valid() && mesh.tets[star[i]][face] != node && above[index_in(star, next)] != 0)
+        area += third_of_face(mesh, star[i], kTetFaces[face]);
+    }
+  return area;
 }
 
 std::vector<std::uint8_t> sides_of_crack(const TetMesh& mesh, NodeId node, std::span<const Corners> star,

@@ -33,6 +33,10 @@ Vec3 third_of_face(const TetMesh& mesh, TetId tet, const std::array<int, 3>& cor
 std::vector<std::uint8_t> sides_of_crack(const TetMesh& mesh, NodeId node, std::span<const Corners> star,
                                          const Vec3& normal, const Vec3& offset = Vec3::Zero());
 
+/// Returns a third of the linked faces at a node between the sides, as a vector to the upper one at rest [m²].
+///   above  per tet of the node's star: 1 on the upper side
+Vec3 linked_area(const TetMesh& mesh, NodeId node, std::span<const std::uint8_t> above);
+
 /// Returns the force of an element on a corner [N]; `state`: of the whole element, also of a quadratic one.
 Vec3 corner_force(const RestElement& rest, const ElementState& state, int corner);
 

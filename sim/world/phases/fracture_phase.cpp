@@ -126,10 +126,14 @@ CrackEvent describe(const WorldState& world, NodeId node, const std::vector<std:
   return event;
 }
 
-/// Returns the unit normal of a plane at a node in rest space.
-Vec3 normal_at_rest(const WorldState& world, NodeId node, const Vec3& normal) {
+/// Returns the unit normal at rest of the path of a crack that opens the plane of a node. Planes of nodes scatter by
+/// some degrees with the pattern of tets. If the faces that open follow the plane as closely, they are the path.
+Vec3 path_normal(const WorldState& world, NodeId node, const Vec3& normal, std::span<const std::uint8_t> above) {
+  constexpr double kScatter = 0.97;  // cosine of 14°
   const Mat3& frame = world.elements.states[world.mesh->stars[node].front()].frame;
-  return (frame.transpose() * normal).normalized();
+  const Vec3 plane = (frame.transpose() * normal).normalized();
+  const Vec3 faces = linked_area(world.mesh, node, above);
+  return faces.dot(plane) > kScatter * faces.norm() ? faces.normalized() : plane;
 }
 
 /// Takes nodes at the front of a crack that has opened across a plane at rest. Its path goes on from that plane.
@@ -169,7 +173,7 @@ bool crack(WorldState& world, NodeId node, Opened& opened) {
       is_remeshed(world, body) ? remesh(world, body, node, normal, opened) : sides_at(world, node);
   CrackEvent event = describe(world, node, above);
   const Vec3 through = world.mesh->rest_positions[node] + world.nodes.path_offsets[node];
-  const Vec3 rest_normal = normal_at_rest(world, node, normal);
+  const Vec3 rest_normal = path_normal(world, node, normal, above);
   const SplitResult result =
       split_node(world.mesh.edit(), node, above, world.model->scene.simulation.min_fragment_tets);
   world.report.cracks_suppressed += result.too_small;
