@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "sim/world/scaled_breaks.h"
@@ -37,13 +38,18 @@ struct Row {
   const char* label;
   const char* tooltip = "";
   double usual = 0;  ///< magnitude in usual materials, for properties that may be 0 and are no ratio
+  double minimum = -std::numeric_limits<double>::infinity();  ///< narrows the range of scene files
+  double maximum = std::numeric_limits<double>::infinity();   ///< narrows the range of scene files
 };
 
 void number_row(Panel& panel, Material& material, const Row& row, double& value,
                 std::optional<double> original = std::nullopt) {
+  Numbers range = range_of<Material>(row.name);
+  range.minimum = std::max(range.minimum, row.minimum);
+  range.maximum = std::min(range.maximum, row.maximum);
   const NumberField field = {.tag = std::string("material/") + row.name,
                              .label = row.label,
-                             .numbers = range_of<Material>(row.name),
+                             .numbers = range,
                              .tooltip = row.tooltip,
                              .original = original,
                              .usual = row.usual};
@@ -139,7 +145,7 @@ void criterion_row(Panel& panel, Material& material) {
 void strength_surface_rows(Panel& panel, Material& material) {
   constexpr double kUsualRatio = 10;  // compressive over tensile strength of concrete and rock
   bool has_surface = material.compressive_strength.has_value();
-  if (checkbox(panel, "material/has_strength_surface", "Drucker-Prager surface", has_surface)) {
+  if (checkbox(panel, "material/has_strength_surface", "Compressive strength", has_surface)) {
     material.compressive_strength = has_surface ? std::optional(kUsualRatio * material.tensile_strength) : std::nullopt;
     keep(panel, {true, true}, "Set strength surface", material);
   }
@@ -148,8 +154,9 @@ void strength_surface_rows(Panel& panel, Material& material) {
                 "otherwise by its largest tension.");
   if (!material.compressive_strength) return;
   number_row(panel, material,
-             {"compressive_strength", "Compressive strength",
-              "The pressure at which a free bar fails: much larger than the tensile strength in brittle materials."},
+             {"compressive_strength", "Strength σ_c",
+              "The pressure at which a free bar fails: much larger than the tensile strength in brittle materials.", 0,
+              material.tensile_strength},
              *material.compressive_strength);
 }
 
@@ -166,7 +173,8 @@ void fracture_rows(Panel& panel, Material& material) {
   }
   number_row(panel, material,
              {"tensile_strength", "Tensile strength",
-              "A node separates when its mesh-independent separation stress exceeds it."},
+              "A node separates when its mesh-independent separation stress exceeds it.", 0, 0,
+              material.compressive_strength.value_or(std::numeric_limits<double>::infinity())},
              &Material::tensile_strength);
   strength_surface_rows(panel, material);
   number_row(panel, material,
