@@ -78,7 +78,8 @@ TEST(EditorLayout, ValuesCanBeTypedWithTheirUnit) {
 TEST(EditorLayout, ACompressiveStrengthIsGivenWithinWhatAFileTakes) {
   UiDriver ui(two_walls());
   const double tension = material(ui).tensile_strength;
-  ui.click("material/has_strength_surface");
+  ui.click("material/criterion");
+  ui.click("material/criterion/strength surface");
   EXPECT_DOUBLE_EQ(*material(ui).compressive_strength, 10 * tension);
   ui.click("material/compressive_strength", 1);
   ui.type("1 Pa");
@@ -86,7 +87,8 @@ TEST(EditorLayout, ACompressiveStrengthIsGivenWithinWhatAFileTakes) {
   ui.click("material/tensile_strength", 1);
   ui.type("10 GPa");
   EXPECT_DOUBLE_EQ(material(ui).tensile_strength, tension);
-  ui.click("material/has_strength_surface");
+  ui.click("material/criterion");
+  ui.click("material/criterion/strength");
   EXPECT_EQ(material(ui).compressive_strength, std::nullopt);
 }
 
