@@ -75,6 +75,23 @@ TEST(EditorLayout, ValuesCanBeTypedWithTheirUnit) {
   EXPECT_EQ(ui.history.entries().size(), 2u);
 }
 
+TEST(EditorLayout, ACompressiveStrengthIsGivenWithinWhatAFileTakes) {
+  UiDriver ui(two_walls());
+  const double tension = material(ui).tensile_strength;
+  ui.click("material/criterion");
+  ui.click("material/criterion/strength surface");
+  EXPECT_DOUBLE_EQ(*material(ui).compressive_strength, 10 * tension);
+  ui.click("material/compressive_strength", 1);
+  ui.type("1 Pa");
+  EXPECT_DOUBLE_EQ(*material(ui).compressive_strength, tension) << "it is at least the tensile one";
+  ui.click("material/tensile_strength", 1);
+  ui.type("10 GPa");
+  EXPECT_DOUBLE_EQ(material(ui).tensile_strength, tension);
+  ui.click("material/criterion");
+  ui.click("material/criterion/strength");
+  EXPECT_EQ(material(ui).compressive_strength, std::nullopt);
+}
+
 TEST(EditorLayout, NonsenseAndEscapeLeaveTheValue) {
   UiDriver ui(two_walls());
   ui.click("material/density", 1);

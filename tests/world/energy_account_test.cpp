@@ -360,8 +360,8 @@ TEST(EnergyAccount, OfANonlinearStepCloses) {
 
 /// Returns the number of steps to follow a scene: until an impact, and some more.
 int steps_of(const std::string& scene) {
-  const bool shatters_early =
-      scene == "vase_shot" || scene == "glass_pane" || scene == "window" || scene == "bear_shot";
+  const bool shatters_early = scene == "vase_shot" || scene == "glass_pane" || scene == "window" ||
+                              scene == "bear_shot" || scene == "tempered_pane";
   return shatters_early ? 16 : 48;
 }
 

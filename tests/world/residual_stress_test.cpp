@@ -194,5 +194,32 @@ TEST(ResidualStress, BreaksAPlateWhoseStrengthIsBelowItsTension) {
   }
 }
 
+/// Residual stress loads pieces that nothing touches. Once waves have crossed them without damage they move as rigid
+/// bodies, as pieces without it do.
+TEST(ResidualStress, LetsTheDiceOfAPaneMoveAsRigidBodies) {
+  Scene scene;
+  scene.gravity.setZero();
+  scene.ground.reset();
+  scene.simulation.time_step = 5e-4;
+  BodyDescription pane;
+  pane.shape = BoxShape{Vec3(0.03, 0.03, 0.004), Vec3(0.005, 0.005, 0.00067), BoxPattern::five_tet};
+  pane.material = *find_material_preset("soda_lime_glass");
+  pane.material.tensile_strength = 80e6;
+  pane.residual_stress = ParabolicStress{Vec3::UnitZ(), -100e6};
+  scene.bodies = {pane};
+  scene.projectiles = {
+      {.position = Vec3(0.007, 0.007, 0.007), .direction = -Vec3::UnitZ(), .speed = 20, .mass = 0.01, .radius = 0.004}};
+  World world(scene);
+  for (int step = 0; step < 10; ++step) world.step();
+  const Frame frame = world.frame();
+  double mass = 0, rigid = 0;
+  for (const BodyView& body : frame.bodies) {
+    mass += body.mass;
+    if (body.rigid) rigid += body.mass;
+  }
+  EXPECT_GT(frame.fragments, 36) << "more than its cells";
+  EXPECT_GT(rigid, 0.8 * mass);
+}
+
 }  // namespace
 }  // namespace griffith

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "sim/world/scaled_breaks.h"
@@ -12,7 +13,7 @@
 namespace griffith::ui {
 namespace {
 
-constexpr std::array<std::string_view, 2> kCriteria = {"strength", "separation force"};
+constexpr std::array<std::string_view, 3> kCriteria = {"strength", "strength surface", "separation force"};
 constexpr std::array<std::string_view, 2> kElementModels = {"corotational", "Green's strain"};
 
 /// Puts the edited material into the scene as a part of the edit `label`.
@@ -37,13 +38,18 @@ struct Row {
   const char* label;
   const char* tooltip = "";
   double usual = 0;  ///< magnitude in usual materials, for properties that may be 0 and are no ratio
+  double minimum = -std::numeric_limits<double>::infinity();  ///< narrows the range of scene files
+  double maximum = std::numeric_limits<double>::infinity();   ///< narrows the range of scene files
 };
 
 void number_row(Panel& panel, Material& material, const Row& row, double& value,
                 std::optional<double> original = std::nullopt) {
+  Numbers range = range_of<Material>(row.name);
+  range.minimum = std::max(range.minimum, row.minimum);
+  range.maximum = std::min(range.maximum, row.maximum);
   const NumberField field = {.tag = std::string("material/") + row.name,
                              .label = row.label,
-                             .numbers = range_of<Material>(row.name),
+                             .numbers = range,
                              .tooltip = row.tooltip,
                              .original = original,
                              .usual = row.usual};
@@ -128,29 +134,20 @@ void library_rows(Panel& panel, const Material& material) {
 }
 
 void criterion_row(Panel& panel, Material& material) {
+  constexpr double kUsualRatio = 10;  // compressive over tensile strength of concrete and rock
   const std::vector<std::string> names(kCriteria.begin(), kCriteria.end());
   const bool by_force = material.criterion == FractureCriterion::separation_force;
-  const int chosen = combo_row(panel, "material/criterion", "Criterion", names, kCriteria[by_force]);
+  const int now = by_force ? 2 : material.compressive_strength ? 1 : 0;
+  const int chosen = combo_row(panel, "material/criterion", "Criterion", names, kCriteria[now]);
+  field_tooltip(panel, "material/criterion",
+                "Strength: the largest tension decides. Strength surface: the whole state of stress, by Drucker and "
+                "Prager's surface through the tensile and compressive strengths.");
   if (chosen < 0) return;
-  material.criterion = chosen == 1 ? FractureCriterion::separation_force : FractureCriterion::strength;
+  material.criterion = chosen == 2 ? FractureCriterion::separation_force : FractureCriterion::strength;
+  if (chosen == 0) material.compressive_strength.reset();
+  if (chosen == 1 && !material.compressive_strength)
+    material.compressive_strength = kUsualRatio * material.tensile_strength;
   keep(panel, {true, true}, "Set criterion", material);
-}
-
-void strength_surface_rows(Panel& panel, Material& material) {
-  constexpr double kUsualRatio = 10;  // compressive over tensile strength of concrete and rock
-  bool has_surface = material.compressive_strength.has_value();
-  if (checkbox(panel, "material/has_strength_surface", "Drucker-Prager surface", has_surface)) {
-    material.compressive_strength = has_surface ? std::optional(kUsualRatio * material.tensile_strength) : std::nullopt;
-    keep(panel, {true, true}, "Set strength surface", material);
-  }
-  field_tooltip(panel, "material/has_strength_surface",
-                "The material fails by Drucker and Prager's surface through its tensile and compressive strengths; "
-                "otherwise by its largest tension.");
-  if (!material.compressive_strength) return;
-  number_row(panel, material,
-             {"compressive_strength", "Compressive strength",
-              "The pressure at which a free bar fails: much larger than the tensile strength in brittle materials."},
-             *material.compressive_strength);
 }
 
 void fracture_rows(Panel& panel, Material& material) {
@@ -166,9 +163,14 @@ void fracture_rows(Panel& panel, Material& material) {
   }
   number_row(panel, material,
              {"tensile_strength", "Tensile strength",
-              "A node separates when its mesh-independent separation stress exceeds it."},
+              "A node separates when its mesh-independent separation stress exceeds it.", 0, 0,
+              material.compressive_strength.value_or(std::numeric_limits<double>::infinity())},
              &Material::tensile_strength);
-  strength_surface_rows(panel, material);
+  if (material.compressive_strength)
+    number_row(panel, material,
+               {"compressive_strength", "Compression σ_c",
+                "Compressive strength: the pressure at which a free bar fails.", 0, material.tensile_strength},
+               *material.compressive_strength);
   number_row(panel, material,
              {"fracture_toughness", "Toughness K_Ic",
               "Lowers the resistance at a crack front: with small values, a crack runs once it has started."},

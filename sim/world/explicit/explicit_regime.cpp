@@ -74,10 +74,13 @@ void begin_explicit_if_driven(WorldState& world, double duration) {
 /// Makes a piece rigid that waves have crossed without damage, until the next impact: its remaining vibration is damped
 /// at once.
 void make_rigid_if_unharmed(WorldState& world, Body& body) {
-  constexpr double kUnharmed = 0.25;  // of the resistance: what contacts must exceed to make it elastic again
+  // Of the resistance: what contacts must exceed to make it elastic again. Residual stress loads a piece without any.
+  constexpr double kUnharmed = 0.25, kUnharmedUnderResidualStress = 0.85;
   if (sags_visibly(world, body)) return;
   evaluate_separation(world, body);
-  const auto is_unharmed = [&](NodeId node) { return world.nodes.separations[node].utilization < kUnharmed; };
+  const bool has_residual_stress = world.model->scene.bodies[body.scene_body].residual_stress.has_value();
+  const double limit = has_residual_stress ? kUnharmedUnderResidualStress : kUnharmed;
+  const auto is_unharmed = [&](NodeId node) { return world.nodes.separations[node].utilization < limit; };
   if (std::ranges::all_of(body.nodes, is_unharmed)) stop_vibration(world, body);
 }
 
