@@ -1,3 +1,4 @@
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -6,7 +7,6 @@
 
 #include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <functional>
@@ -130,14 +130,17 @@ double processor_seconds(pid_t process) {
   return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
-pid_t start_program(const std::vector<std::string>& arguments) {
+/// `folder`: for its temporary files.
+pid_t start_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
   std::vector<char*> words = {const_cast<char*>(GRIFFITH_PROGRAM)};
   for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
   words.push_back(nullptr);
   const pid_t process = fork();
   if (process != 0) return process;
-  std::freopen("/dev/null", "w", stdout);
-  std::freopen("/dev/null", "w", stderr);
+  setenv("TMPDIR", folder.c_str(), 1);
+  const int nowhere = open("/dev/null", O_WRONLY);
+  dup2(nowhere, STDOUT_FILENO);
+  dup2(nowhere, STDERR_FILENO);
   execv(words[0], words.data());
   _exit(127);
 }
@@ -169,11 +172,11 @@ TEST(MeshCommand, AskedToEndItEndsAtOnceAndLeavesNothing) {
   const auto folder = test_folder() / "tmp";
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
-  setenv("TMPDIR", folder.c_str(), 1);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP})
     for (const char* method : {"tetgen", "volumetric"}) {
-      const pid_t process = start_program({"mesh", surface, "--no-cache", "--element-size", "0.008", "--method", method,
-                                           "-o", test_folder() / "a.msh"});
+      const pid_t process = start_program(
+          {"mesh", surface, "--no-cache", "--element-size", "0.008", "--method", method, "-o", test_folder() / "a.msh"},
+          folder);
       const auto works = [&] { return !std::filesystem::is_empty(folder) || processor_seconds(process) > 0.5; };
       const Interruption end = interrupt(process, signal, works);
       EXPECT_EQ(end.signal, signal) << method;
@@ -181,7 +184,6 @@ TEST(MeshCommand, AskedToEndItEndsAtOnceAndLeavesNothing) {
       EXPECT_FALSE(std::filesystem::exists(test_folder() / "a.msh"));
       EXPECT_TRUE(std::filesystem::is_empty(folder)) << signal << ", " << method;
     }
-  unsetenv("TMPDIR");
 }
 
 }  // namespace

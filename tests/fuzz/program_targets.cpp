@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <sstream>
 
 #include "app/cli/command_line.h"

@@ -144,15 +144,15 @@ bool sags_visibly(const WorldState& world, const Body& body) {
   return stress > visible_stress(world, body);
 }
 
-void clear_stress(WorldState& world, const Body& body) {
-  std::vector<ElementState>& states = world.elements.states.edit();
-  std::vector<Mat3>& stresses = world.elements.stresses.edit();
+void clear_stress(const Body& body, ElementArrays& elements, NodeArrays& nodes) {
+  std::vector<ElementState>& states = elements.states.edit();
+  std::vector<Mat3>& stresses = elements.stresses.edit();
   for (TetId tet : body.tets) {
     states[tet] = {};
     stresses[tet].setZero();
-    if (!body.edges.empty()) world.elements.quadratic_states.edit()[tet] = {};
+    if (!body.edges.empty()) elements.quadratic_states.edit()[tet] = {};
   }
-  for (NodeId node : body.nodes) world.nodes.separations[node] = {};
+  for (NodeId node : body.nodes) nodes.separations[node] = {};
 }
 
 std::optional<Pivot> pivot_of(const WorldState& world, const Body& body) {
@@ -238,7 +238,7 @@ double rebuild_shape(WorldState& world, Body& body) {
   if (!body.rigid) return 0;
   update_elements(world, body);
   const double before = mechanical_energy(world, body);
-  clear_stress(world, body);
+  clear_stress(body, world.elements, world.nodes);
   return before - energy_of(world, body);
 }
 

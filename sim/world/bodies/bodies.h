@@ -16,7 +16,7 @@ inline const Body& body_at(const WorldState& world, NodeId node) {
 }
 
 /// Takes the stress out of a body that is rigid from now on.
-void clear_stress(WorldState& world, const Body& body);
+void clear_stress(const Body& body, ElementArrays& elements, NodeArrays& nodes);
 /// Divides the tets of bodies that may have separated among one body per connected piece, then calls rebuild_pieces().
 /// Returns all pieces: first the bodies themselves, then the new ones.
 std::vector<BodyId> part_bodies(WorldState& world, std::span<const BodyId> opened);

@@ -75,7 +75,7 @@ void place_supports(const Scene& scene, int scene_body, const RestBody& body, st
 bool tear_off(WorldState& world, NodeId node, const Vec3& normal) {
   const NodeConstraint& constraint = world.nodes.constraints[node];
   if ((normal - constraint.allowed * normal).norm() < 0.5 || !release(world, node)) return false;
-  hold_again(world);
+  update_supports(world, world.time, 0);
   return true;
 }
 
@@ -92,7 +92,7 @@ bool reassign_supports(WorldState& world, std::span<const NodeCopy> copies) {
         loose.push_back(node);
   bool torn = false;
   for (NodeId node : loose) torn |= release(world, node);
-  if (torn) hold_again(world);
+  if (torn) update_supports(world, world.time, 0);
   return torn;
 }
 
@@ -113,7 +113,7 @@ void release_unbonded(WorldState& world, std::span<const BodyId> pieces) {
         world.nodes.has_support[node] = 0;
       }
   }
-  if (torn) hold_again(world);
+  if (torn) update_supports(world, world.time, 0);
 }
 
 void update_supports(WorldState& world, double time, double dt) {
@@ -128,7 +128,5 @@ void update_supports(WorldState& world, double time, double dt) {
     }
   }
 }
-
-void hold_again(WorldState& world) { update_supports(world, world.time, 0); }
 
 }  // namespace griffith

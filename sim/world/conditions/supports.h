@@ -36,7 +36,5 @@ void update_supports(WorldState& world, double time, double dt);
 /// Takes pieces off supports that hold them by a node or an edge alone: no area bonds them. What a support held by
 /// nodes or edges from the start, as a roller does, stays held.
 void release_unbonded(WorldState& world, std::span<const BodyId> pieces);
-/// Sets the constraints for the present moment, after supports lost or gained nodes.
-void hold_again(WorldState& world);
 
 }  // namespace griffith

@@ -167,7 +167,7 @@ void place_body(WorldState& world, Body& body, const RigidState& state) {
   body.motion.velocity = state.velocity;
   body.motion.angular_velocity = state.angular_velocity;
   body.orientation = state.pose.rotation;
-  place_rigid_nodes(world, body);
+  place_rigid_nodes(body, world.nodes, world.edges);
 }
 
 void place_obstacle(WorldState& world, const explicit_dynamics::Obstacle& obstacle) {

@@ -20,7 +20,7 @@ namespace griffith {
 
 void stop_vibration(WorldState& world, Body& body) {
   const double before = energy_of(world, body);
-  clear_stress(world, body);
+  clear_stress(body, world.elements, world.nodes);
   make_rigid(world, body);
   world.energy.regime_change += before - energy_of(world, body);
 }
@@ -31,7 +31,7 @@ bool any_explicit(const WorldState& world) {
 
 void begin_explicit(WorldState& world, Body& body, double impact_speed) {
   if (body.explicit_state || body.tets.size() == 1) return;
-  if (body.rigid) place_rigid_nodes(world, body);
+  if (body.rigid) place_rigid_nodes(body, world.nodes, world.edges);
   if (body.rigid || body.asleep) make_elastic(world, body);
   world.elements.allow_strains();
   for (const NodeId node : body.nodes) world.nodes.overloads[node].last = OverloadHistory::kNever;

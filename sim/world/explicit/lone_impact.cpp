@@ -84,7 +84,7 @@ void hand_back(WorldState& world, Body& body, double time) {
   stop_vibration(world, body);
   const double before = kinetic_energy(body.motion);
   body.motion.velocity -= time * world.model->scene.gravity;  // all of which the step will give
-  place_rigid_nodes(world, body);
+  place_rigid_nodes(body, world.nodes, world.edges);
   world.energy.time_integration += before - kinetic_energy(body.motion);
 }
 

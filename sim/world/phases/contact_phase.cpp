@@ -97,7 +97,7 @@ bool make_struck_bodies_elastic(WorldState& world, double dt) {
       const BodyId id = world.body_of(side);
       if (!id.valid() || !may_deform(world.bodies[id]) || !must_deform(world, world.bodies[id], contact, dt)) continue;
       const bool slept = world.bodies[id].asleep;
-      if (world.bodies[id].rigid) place_rigid_nodes(world, world.bodies[id]);
+      if (world.bodies[id].rigid) place_rigid_nodes(world.bodies[id], world.nodes, world.edges);
       make_elastic(world, world.bodies[id]);
       join_substep(world, world.bodies[id], slept, dt);
       any = true;
@@ -220,7 +220,7 @@ void replace_contacts(WorldState& world, const SpreadContacts& spread) {
 /// Finds the impulses on which all that touches agrees. Rigid and sleeping bodies that must deform under them do.
 TouchedBodies solve_contacts(WorldState& world, double dt) {
   TouchedBodies touched = touched_bodies(world);
-  fit_contacts(world, touched);
+  fit_contacts(world, touched, world.contact_world.contacts());
   keep_contacts(touched, world.contact_world.drop_near_misses(dt, approach_speeds(world, touched)));
   solve_elastic_contacts(world, touched, dt);
   while (make_struck_bodies_elastic(world, dt)) {
@@ -265,7 +265,7 @@ void make_first_struck_elastic(WorldState& world, double duration) {
   for (const auto& impact : expected_impacts(world, duration, matters))
     for (const BodyId id : {world.body_of(impact.a), world.body_of(impact.b)}) {
       if (!is_ballistic(id)) continue;
-      place_rigid_nodes(world, world.bodies[id]);
+      place_rigid_nodes(world.bodies[id], world.nodes, world.edges);
       make_elastic(world, world.bodies[id]);
     }
 }

@@ -48,7 +48,7 @@ void move_rigid(WorldState& world, Body& body, double dt) {
   motion.inertia = turn * motion.inertia * turn.transpose();
   motion.angular_velocity = motion.inertia.inverse() * angular_momentum;
   body.orientation = (Quat(turn) * body.orientation).normalized();
-  place_rigid_nodes(world, body);
+  place_rigid_nodes(body, world.nodes, world.edges);
 }
 
 /// Returns the work on the body in a substep that may increase its energy: by external forces, supports and contacts
@@ -230,18 +230,18 @@ void make_rigid(WorldState& world, Body& body) {
     body.reference_offsets.col(i) = back * world.edges.offsets[body.edges[i]];
 }
 
-void place_rigid_nodes(WorldState& world, const Body& body) {
+void place_rigid_nodes(const Body& body, NodeArrays& nodes, EdgeArrays& edges) {
   const RigidMotion& motion = body.motion;
   const Mat3 rotation = body.orientation.toRotationMatrix();
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     const Vec3 arm = rotation * body.reference_arms.col(i);
-    world.nodes.positions[body.nodes[i]] = motion.center + arm;
-    world.nodes.velocities[body.nodes[i]] = motion.velocity + motion.angular_velocity.cross(arm);
+    nodes.positions[body.nodes[i]] = motion.center + arm;
+    nodes.velocities[body.nodes[i]] = motion.velocity + motion.angular_velocity.cross(arm);
   }
   for (std::size_t i = 0; i < body.edges.size(); ++i) {
     const EdgeId edge = body.edges[i];
-    world.edges.offsets[edge] = rotation * body.reference_offsets.col(i);
-    world.edges.velocities[edge] = motion.angular_velocity.cross(world.edges.offsets[edge]);
+    edges.offsets[edge] = rotation * body.reference_offsets.col(i);
+    edges.velocities[edge] = motion.angular_velocity.cross(edges.offsets[edge]);
   }
 }
 
@@ -263,7 +263,7 @@ void freeze_if_broken_down(WorldState& world, Body& body) {
     const Pose last = world.contact_world.state(body.proxy).pose;
     body.motion.center = last.translation;
     body.orientation = last.rotation;
-    place_rigid_nodes(world, body);
+    place_rigid_nodes(body, world.nodes, world.edges);
   }
   for (NodeId node : body.nodes) world.nodes.velocities[node] = world.nodes.reactions[node] = Vec3::Zero();
   for (EdgeId edge : body.edges)
@@ -279,7 +279,7 @@ void freeze(WorldState& world, Body& body) {
   const double before = energy_of(world, body);
   if (body.supported())
     for (NodeId node : body.nodes) world.nodes.velocities[node] = world.nodes.reactions[node] = Vec3::Zero();
-  clear_stress(world, body);
+  clear_stress(body, world.elements, world.nodes);
   body.motion = motion_of(world, body);
   make_rigid(world, body);
   if (std::isfinite(before)) world.energy.limited += before - energy_of(world, body);

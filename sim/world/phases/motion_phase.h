@@ -22,7 +22,7 @@ void move_without_deforming(WorldState& world, const Body& body, const BodySnaps
 /// Restores the angular momentum of a free body before it moved.
 void restore_angular_momentum(WorldState& world, const Body& body, const BodySnapshot& before);
 /// Moves the nodes of a rigid body to its motion and orientation.
-void place_rigid_nodes(WorldState& world, const Body& body);
+void place_rigid_nodes(const Body& body, NodeArrays& nodes, EdgeArrays& edges);
 /// Makes a body with non-finite numbers rigid, at rest where it was, so that the rest of the scene goes on. If its
 /// positions are lost, it takes the shape that it had when it was made or last became rigid, at the place of its proxy.
 /// A supported one stays there permanently.

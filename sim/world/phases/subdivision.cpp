@@ -108,7 +108,7 @@ void follow_places(WorldState& world, const Subdivision& subdivision) {
   for (PlacedLoad& placed : world.loads) follow_load(placed, subdivision);
   for (PlacedProbe& placed : world.probes)
     for (ProbedNode& probed : placed.nodes) follow_probe(probed, subdivision);
-  hold_again(world);
+  update_supports(world, world.time, 0);
 }
 
 }  // namespace

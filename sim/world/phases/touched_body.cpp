@@ -79,8 +79,7 @@ Vec3 middle_from(const Contact& contact, const Vec3& point, double side) {
   return point - side * 0.5 * contact.distance * contact.normal;
 }
 
-void correct_places(WorldState& world, TouchedBodies& touched) {
-  const std::span<Contact> contacts = world.contact_world.contacts();
+void correct_places(TouchedBodies& touched, std::span<Contact> contacts) {
   std::vector<int> known(contacts.size(), 0);
   for (std::size_t i = 0; i < touched.bodies.size(); ++i)
     for (std::size_t k = 0; k < touched.bodies[i].points.size(); ++k) {
@@ -98,8 +97,7 @@ void correct_places(WorldState& world, TouchedBodies& touched) {
 
 }  // namespace
 
-void fit_contacts(WorldState& world, TouchedBodies& touched) {
-  const std::span<Contact> contacts = world.contact_world.contacts();
+void fit_contacts(const WorldState& world, TouchedBodies& touched, std::span<Contact> contacts) {
   for (std::size_t i = 0; i < touched.bodies.size(); ++i) {
     const Body& body = world.bodies[touched.bodies[i].body];
     for (std::size_t k = 0; k < touched.bodies[i].points.size(); ++k) {
@@ -110,7 +108,7 @@ void fit_contacts(WorldState& world, TouchedBodies& touched) {
       contact.distance += side * contact.normal.dot(point.position - proxy_position(body, point.surface));
     }
   }
-  correct_places(world, touched);
+  correct_places(touched, contacts);
 }
 
 std::vector<double> approach_speeds(const WorldState& world, const TouchedBodies& touched) {

@@ -36,7 +36,7 @@ struct TouchedBodies {
 TouchedBodies touched_bodies(const WorldState& world);
 /// Moves the contacts from the surfaces of the proxies, which do not deform, to those of the deformed bodies, and
 /// corrects their distances; those of nodes are right.
-void fit_contacts(WorldState& world, TouchedBodies& touched);
+void fit_contacts(const WorldState& world, TouchedBodies& touched, std::span<Contact> contacts);
 /// Returns the approach speed of the sides of each contact without its impulse [m/s], for
 /// ContactWorld::drop_near_misses().
 std::vector<double> approach_speeds(const WorldState& world, const TouchedBodies& touched);
