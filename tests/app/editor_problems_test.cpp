@@ -92,7 +92,7 @@ TEST_F(EditorProblems, TheListFollowsEditsAndUndo) {
   draw(2);
   wait_for_work();
   EXPECT_EQ(value("status/problems"), "1 problem");
-  editor_.execute({.id = ui::CommandId::undo});
+  editor_.execute({.name = "edit.undo"});
   draw(2);
   wait_for_work();
   EXPECT_EQ(value("status/problems"), "2 problems");
