@@ -91,6 +91,8 @@ ui::EditorInput Editor::panel_input(const ui::Fonts& fonts) {
 
 void Editor::draw_panels(const ui::Fonts& fonts) {
   ui::EditorInput input = panel_input(fonts);
+  static const std::vector<std::string> kExportHints = export_hints();
+  input.export_hints = kExportHints;
   const std::vector<ui::UtilizationSample> utilizations = run_.utilizations();
   input.utilizations = utilizations;
   const std::vector<ui::SceneProblem> problems = scene_problems(document_.outdated(), run_.warnings());

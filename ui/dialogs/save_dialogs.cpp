@@ -32,8 +32,8 @@ void name_list(Panel& panel, SaveTarget& target) {
 /// The dialog for a kind of file.
 struct SavedFormat {
   const char* title;
-  std::string_view dialog;  ///< command that opens it
-  std::string_view ending;  ///< appended to names without it
+  std::string_view dialog;     ///< command that opens it
+  std::string_view extension;  ///< appended to names without it
 };
 
 /// By SavedKind.
@@ -57,14 +57,9 @@ void close(bool answered) {
   ImGui::EndPopup();
 }
 
-/// Explains the formats by file name extension.
-void export_hint(const Panel& panel) {
-  hint(panel, "Pieces, motion and bonds: .glb (Blender, Unity, Unreal), .usda (USD), .json, .csv");
-  hint(panel, "Page for a browser: .html");
-  hint(panel, "The view: .mp4, .webm, .gif (with ffmpeg), .png (one picture per step)");
-}
-
 }  // namespace
+
+std::string_view extension_of(SavedKind kind) { return format_of(kind).extension; }
 
 SaveTarget save_target(const std::filesystem::path& file, SavedKind kind) {
   const std::filesystem::path whole = std::filesystem::absolute(file).lexically_normal();
@@ -75,11 +70,11 @@ SaveTarget save_target(const std::filesystem::path& file, SavedKind kind) {
 
 std::filesystem::path file_of(const SaveTarget& target) {
   std::filesystem::path file = target.folder / target.name.data();
-  const std::string_view ending = format_of(target.kind).ending;
+  const std::string_view extension = extension_of(target.kind);
   const bool is_picture = target.kind == SavedKind::plots && file.extension() == ".png";
   const bool ends_well =
-      is_picture || (target.kind == SavedKind::exported ? file.has_extension() : file.string().ends_with(ending));
-  if (!ends_well) file += ending;
+      is_picture || (target.kind == SavedKind::exported ? file.has_extension() : file.string().ends_with(extension));
+  if (!ends_well) file += extension;
   return file.lexically_normal();
 }
 
@@ -99,7 +94,8 @@ void draw_save_dialog(Panel& panel) {
   const std::filesystem::path file = file_of(*target);
   hint(panel, named ? file.string() : target->folder.string());
   tag_last_item(panel.tags, "save/path", file.string());
-  if (target->kind == SavedKind::exported) export_hint(panel);
+  if (target->kind == SavedKind::exported)
+    for (const std::string& line : panel.input.export_hints) hint(panel, line);
   if (target->kind == SavedKind::plots) hint(panel, "Values of all steps: .csv; picture of the plots: .png");
   ImGui::Spacing();
   const bool pressed = text_button(panel, "save/save", "Save", kButtonWidth * ui_scale(panel));

@@ -36,6 +36,7 @@ struct EditorInput {
   std::span<const std::filesystem::path> recent_files;  ///< recently opened or saved, newest first
   std::span<const std::filesystem::path> macros;        ///< macros that can be played
   std::span<const SceneProblem> problems;               ///< problems of the current scene
+  std::span<const std::string> export_hints;            ///< formats of exported runs
   std::filesystem::path scene_path;                     ///< file of the edited scene, may be empty
   TimeView time;                                        ///< the recorded past
   std::span<const RunSeries> series;                    ///< series that can be plotted
