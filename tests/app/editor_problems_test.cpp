@@ -98,6 +98,13 @@ TEST_F(EditorProblems, TheListFollowsEditsAndUndo) {
   EXPECT_EQ(value("status/problems"), "2 problems");
 }
 
+TEST_F(EditorProblems, ANewSceneHasNone) {
+  ASSERT_EQ(value("status/problems"), "2 problems");
+  editor_.execute({.name = "file.new", .discard_edits = true});
+  draw(2);
+  EXPECT_EQ(value("status/problems"), "no widget status/problems");
+}
+
 TEST_F(EditorProblems, NamesThatAreOutdatedGoWhenTheSceneIsSaved) {
   editor_.builder().open(
       test_file("older.json", R"({"version": 1, "bodies": [{"shape": {"box": {}}, "position": [0, 0.5, 0]}],
