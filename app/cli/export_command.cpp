@@ -106,10 +106,7 @@ Command add_export(CLI::App& program) {
   command->add_option("--frames", options->frames, "Time steps A:B to write, or A:B:STRIDE")
       ->required()
       ->type_name("LIST");
-  command
-      ->add_option("-o,--output", options->outputs,
-                   "Output file: .glb (glTF), .usda (USD), .html (a page that plays the run), .json (pieces and bonds) "
-                   "or .csv (bonds); may be repeated")
+  command->add_option("-o,--output", options->outputs, "Output file: " + bake_formats_text() + "; may be repeated")
       ->required()
       ->expected(1)
       ->take_all()

@@ -235,9 +235,8 @@ void add_where(CLI::App& command, RenderOptions& options) {
                   "Write all pictures into one PNG file, small, in rows")
       ->type_name("FILE");
   command
-      .add_option(
-          "--video", options.pictures.video,
-          "Write the pictures as .mp4, .mkv, .mov, .webm or .gif with ffmpeg; one video for each camera and view")
+      .add_option("--video", options.pictures.video,
+                  "Write the pictures as " + video_extensions() + " with ffmpeg; one video for each camera and view")
       ->type_name("FILE");
   command.add_option("--fps", options.pictures.frames_per_second, "Frames per second of the video; default: real time")
       ->check(CLI::Range(0.1, 240.0))

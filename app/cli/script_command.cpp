@@ -65,7 +65,7 @@ class ScriptStage {
     if (state.unsaved) fail(*state.unsaved, "There are unsaved edits.", "click unsaved/save, or unsaved/discard");
   }
   [[noreturn]] void fail(const ui::Command& command, const std::string& problem, const std::string& answer) const {
-    throw InputError(script_.string(), std::string(ui::command_info(command.id).name) + " is waiting: " + problem,
+    throw InputError(script_.string(), std::string(command.name) + " is waiting: " + problem,
                      "let the script answer the question: " + answer);
   }
 

@@ -136,7 +136,7 @@ Command add_simulate(CLI::App& program) {
       ->add_option("--events", options->events,
                    "Write all crack events as JSON: place, plane, load, elements on both sides, bodies")
       ->type_name("FILE");
-  command->add_option("--export", options->export_file, "Write the last time step as .vtu (ParaView) or .msh (Gmsh)")
+  command->add_option("--export", options->export_file, "Write the last time step as " + frame_formats_text())
       ->type_name("FILE");
   command
       ->add_option("--export-pieces", options->export_pieces,

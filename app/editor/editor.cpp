@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/editor/editor_commands.h"
 #include "app/editor/frame_schedule.h"
 #include "app/editor/messages.h"
 #include "app/picture/bounds_of.h"
 #include "sim/core/replace_file.h"
-#include "ui/model/command_context.h"
 
 namespace griffith::app {
 namespace {
@@ -72,6 +72,7 @@ void Editor::go_on_with_work() {
 
 ui::EditorInput Editor::panel_input(const ui::Fonts& fonts) {
   ui::EditorInput input;
+  input.commands = command_registry();
   input.frame = run_.frame();
   input.fonts = fonts;
   set_bounds(input);
@@ -90,6 +91,8 @@ ui::EditorInput Editor::panel_input(const ui::Fonts& fonts) {
 
 void Editor::draw_panels(const ui::Fonts& fonts) {
   ui::EditorInput input = panel_input(fonts);
+  static const std::vector<std::string> kExportHints = export_hints();
+  input.export_hints = kExportHints;
   const std::vector<ui::UtilizationSample> utilizations = run_.utilizations();
   input.utilizations = utilizations;
   const std::vector<ui::SceneProblem> problems = scene_problems(document_.outdated(), run_.warnings());
@@ -109,32 +112,30 @@ double Editor::seconds_to_next_frame() const {
 }
 
 void Editor::execute(const ui::Command& command) {
-  if (const std::string_view reason = disabled_reason(command.id); !reason.empty()) return refuse(command.id, reason);
-  const bool leaves =
-      command.id == ui::CommandId::new_scene || command.id == ui::CommandId::open || command.id == ui::CommandId::quit;
-  if (leaves && document_.history().modified() && !command.discard_edits) {
+  const ui::CommandInfo& info = command_info(command.name);
+  if (const std::string_view reason = disabled_reason(info.name); !reason.empty()) return refuse(info, reason);
+  if (!info.leaves.empty() && document_.history().modified() && !command.discard_edits) {
     state_.unsaved = command;
     return;
   }
   scripting_.note();
   try {
-    std::ranges::find(command_actions(), command.id, &CommandAction::id)->carry_out(*this, command);
+    carry_out(*this, command);
     scripting_.add(command);
   } catch (const InputError& error) {
     show_error(state_, error);
   }
 }
 
-std::string_view Editor::disabled_reason(ui::CommandId id) const {
-  const ui::CommandInfo& info = ui::command_info(id);
+std::string_view Editor::disabled_reason(std::string_view command) const {
+  const ui::CommandInfo& info = command_info(command);
+  if (!info.disabled_reason) return {};
   const ui::TimeView time = run_.time_view();
-  return info.disabled_reason
-             ? info.disabled_reason({state_, document_.history(), time, run_.frame().step, viewport_.has_legend()})
-             : std::string_view();
+  return info.disabled_reason({state_, document_.history(), time, run_.frame().step, viewport_.has_legend()});
 }
 
-void Editor::refuse(ui::CommandId id, std::string_view reason) {
-  const std::string text = std::string(ui::command_info(id).label) + ": " + std::string(reason);
+void Editor::refuse(const ui::CommandInfo& info, std::string_view reason) {
+  const std::string text = std::string(info.label) + ": " + std::string(reason);
   const bool said = !state_.log.empty() && state_.log.back().text == text;
   if (said) state_.log_seen = std::min(state_.log_seen, state_.log.size() - 1);
   if (!said) log_message(state_, ui::LogLevel::warning, text, ui::LogSpan::action);

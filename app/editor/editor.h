@@ -2,7 +2,7 @@
 
 #include <filesystem>
 #include <optional>
-#include <span>
+#include <string_view>
 
 #include "app/editor/edit_recovery.h"
 #include "app/editor/known_scenes.h"
@@ -16,14 +16,6 @@
 #include "ui/panels/editor_layout.h"
 
 namespace griffith::app {
-
-class Editor;
-
-/// Action of a command.
-struct CommandAction {
-  ui::CommandId id;
-  void (*carry_out)(Editor& editor, const ui::Command& command);
-};
 
 /// Requests to the owner of the window, who resets them.
 struct WindowRequests {
@@ -46,12 +38,10 @@ class Editor {
   /// context of ImGui.
   double seconds_to_next_frame() const;
 
-  /// Returns the action of each command of the registry.
-  static std::span<const CommandAction> command_actions();
   /// Executes a command and shows problems. Asks first if unsaved edits would be lost.
   void execute(const ui::Command& command);
   /// Returns the reason why the command is disabled; empty if it is enabled.
-  std::string_view disabled_reason(ui::CommandId id) const;
+  std::string_view disabled_reason(std::string_view command) const;
 
   /// Enables the list of recent scenes, copies of unsaved edits, and the recovery of edits of a crashed run. `states`:
   /// as for Autosave.
@@ -78,7 +68,7 @@ class Editor {
   void go_on_with_work();
   ui::EditorInput panel_input(const ui::Fonts& fonts);
   /// Reports why a command is disabled.
-  void refuse(ui::CommandId id, std::string_view reason);
+  void refuse(const ui::CommandInfo& info, std::string_view reason);
 
   ui::EditorState state_;
   ui::WidgetTags tags_;

@@ -1,27 +1,18 @@
 #include "app/editor/macro_recorder.h"
 
 #include <algorithm>
-#include <array>
 #include <sstream>
 #include <utility>
 
+#include "app/editor/editor_commands.h"
 #include "app/editor/script.h"
 #include "sim/scene/scene_difference.h"
 
 namespace griffith::app {
 namespace {
 
-using ui::CommandId;
-
-/// Running is recorded as steps, and a macro within a macro as its lines.
-constexpr std::array kNotRecorded = {CommandId::toggle_run,  CommandId::make_steps, CommandId::quit,
-                                     CommandId::tour,        CommandId::play_macro, CommandId::save_macro,
-                                     CommandId::record_macro};
-
-bool is_recorded(CommandId id) {
-  const bool asks = ui::command_info(id).label.ends_with("…");
-  return !asks && std::ranges::find(kNotRecorded, id) == kNotRecorded.end();
-}
+/// Running is recorded as steps, a macro within a macro as its lines, a dialog as the command that it issues.
+bool is_recorded(const ui::CommandInfo& info) { return info.recorded && !info.label.ends_with("…"); }
 
 std::string settings_line(const char* verb, const std::vector<SceneSetting>& settings, std::size_t prefix) {
   std::string line = verb;
@@ -72,10 +63,10 @@ void MacroRecorder::note(const MacroMoment& now) {
 }
 
 void MacroRecorder::add(const ui::Command& command, MacroMoment now) {
-  if (!is_recorded(command.id)) return;
+  if (!is_recorded(command_info(command.name))) return;
   last_ = std::move(now);
   const std::string line = script_line(command);
-  const bool drags_on = command.id == CommandId::go_to_step && !lines_.empty() && waiting_steps_ == 0 &&
+  const bool drags_on = command.name == "time.step" && !lines_.empty() && waiting_steps_ == 0 &&
                         lines_.back().starts_with("command time.step ");
   if (drags_on) lines_.pop_back();
   add_line(line);

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/editor/editor_commands.h"
 #include "app/shared/scene_files.h"
 #include "sim/core/replace_file.h"
 
@@ -26,7 +27,7 @@ void show_error(ui::EditorState& state, const InputError& error) {
 void discard_queued_commands(ui::EditorState& state) {
   for (const ui::Command& command : std::exchange(state.waiting, {}))
     log_message(state, ui::LogLevel::warning,
-                std::string(ui::command_info(command.id).label) + " was skipped: the work before it failed.");
+                std::string(command_info(command.name).label) + " was skipped: the work before it failed.");
 }
 
 bool may_replace(ui::EditorState& state, const ui::Command& command, const std::filesystem::path& in_the_way) {

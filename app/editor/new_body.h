@@ -2,7 +2,6 @@
 
 #include "sim/scene/scene.h"
 #include "sim/world/frame.h"
-#include "ui/model/commands.h"
 
 namespace griffith::app {
 
@@ -10,9 +9,16 @@ namespace griffith::app {
 /// world that may lack the last bodies.
 double free_place(const Scene& scene, const Frame& frame, double room);
 
-/// Returns a body for one of the commands add_box, add_plate, …: some decimeters large, of a typical material, on the
-/// ground next to all others.
-BodyDescription new_body(ui::CommandId command, const Scene& scene, const Frame& frame);
+/// A body as commands add it: some decimeters large.
+struct TypicalBody {
+  const char* name;
+  const char* material;  ///< preset
+  Shape shape;
+  Vec3 rotation_degrees = Vec3::Zero();
+};
+
+/// Returns such a body on the ground next to all others.
+BodyDescription new_body(const TypicalBody& typical, const Scene& scene, const Frame& frame);
 
 /// Returns a copy of a body of the scene next to all others, under another name.
 BodyDescription copy_of_body(const Scene& scene, int index, const Frame& frame);

@@ -153,6 +153,12 @@ fs::path file_in_the_way(const fs::path& path, const Timeline& timeline) {
   return path;
 }
 
+std::vector<std::string> export_hints() {
+  std::vector<std::string> lines = bake_hints();
+  lines.emplace_back("The view: .mp4, .webm, .gif (with ffmpeg), .png (one picture per step)");
+  return lines;
+}
+
 void check_export(const fs::path& path) {
   if (is_video_path(path)) return check_video_path(path);
   if (!is_pictures(path)) check_bake_path(path);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/picture/draw_scene_from_frame.h"
 #include "renderer/camera.h"
@@ -32,6 +33,9 @@ struct ExportedView {
   HiddenBodies hidden;
   int width = 1280, height = 720;  ///< [pixels]
 };
+
+/// Lists the formats of start_export(), one line for each purpose.
+std::vector<std::string> export_hints();
 
 /// Throws InputError unless the file's extension names a format of start_export() and the file can be written.
 void check_export(const std::filesystem::path& path);

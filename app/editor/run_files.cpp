@@ -22,9 +22,7 @@ namespace {
 fs::path file_of_run(const std::string& scene, ui::SavedKind kind) {
   std::string name = scene.empty() ? "run" : scene;
   std::ranges::replace(name, '/', '-');
-  if (kind == ui::SavedKind::plots) return name + ".csv";
-  if (kind == ui::SavedKind::exported) return name + ".glb";
-  return name + (kind == ui::SavedKind::recording ? "" : " report") + ".tar.zst";
+  return name.append(kind == ui::SavedKind::bug_report ? " report" : "").append(ui::extension_of(kind));
 }
 
 /// Returns the latest modification time of the file, its second file (TetGen's) or the content of the folder; the

@@ -9,6 +9,7 @@
 #include <optional>
 #include <sstream>
 
+#include "app/editor/editor_commands.h"
 #include "sim/core/error.h"
 #include "sim/core/file_content.h"
 
@@ -108,14 +109,14 @@ void read_argument(Words& words, ui::CommandArgument argument, ui::Command& comm
 
 void read_command(Words& words, ScriptLine& line) {
   const std::string name = words.take("a command");
-  const ui::CommandInfo* info = ui::find_command(name);
+  const ui::CommandInfo* info = ui::find_command(command_registry(), name);
   if (!info) words.fail("names no command: \"" + name + "\"", "see the palette (Ctrl+P) or docs/scripts.md");
-  line.command.id = info->id;
-  const bool needed = info->menu == ui::Menu::none && !info->with_path;  // the others ask for a missing argument
+  line.command.name = info->name;
+  const bool needed = info->menu == ui::Menu::none && info->with_path.empty();  // the others ask for a missing argument
   if (!needed && words.empty()) return;
   if (info->argument == ui::CommandArgument::none && !words.empty())
     words.fail("has \"" + words.take("") + "\" after " + name + ", which takes no argument", "leave it out");
-  line.command.id = info->with_path.value_or(info->id);
+  if (!info->with_path.empty()) line.command.name = info->with_path;
   read_argument(words, info->argument, line.command);
 }
 
@@ -262,7 +263,7 @@ std::string script_word(const std::string& text) {
 }
 
 std::string script_line(const ui::Command& command) {
-  const ui::CommandInfo& info = ui::command_info(command.id);
+  const ui::CommandInfo& info = command_info(command.name);
   std::ostringstream line;
   line << "command " << info.name;
   switch (info.argument) {
@@ -270,7 +271,7 @@ std::string script_line(const ui::Command& command) {
       break;
     case ui::CommandArgument::path:
       // With the file for which its dialog would ask, a command needs no dialog.
-      if (!command.path.empty() && !info.with_path) line << " " << script_word(command.path.string());
+      if (!command.path.empty() && info.with_path.empty()) line << " " << script_word(command.path.string());
       break;
     case ui::CommandArgument::step:
       line << " " << command.step;

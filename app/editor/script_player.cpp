@@ -37,10 +37,9 @@ void expect(const ScriptLine& line, const Editor& editor) {
 }
 
 void carry_out(const ScriptLine& line, Editor& editor) {
-  const std::string_view reason = editor.disabled_reason(line.command.id);
+  const std::string_view reason = editor.disabled_reason(line.command.name);
   if (!reason.empty())
-    throw InputError(line.place, std::string(ui::command_info(line.command.id).name) + " is disabled",
-                     std::string(reason));
+    throw InputError(line.place, std::string(line.command.name) + " is disabled", std::string(reason));
   editor.execute(line.command);
 }
 

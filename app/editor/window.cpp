@@ -124,7 +124,7 @@ class WindowInput {
       if (!entered && !ImGui::IsAnyMouseDown()) of(from).move(-FLT_MAX, -FLT_MAX);
     });
     glfwSetDropCallback(handle, [](GLFWwindow* from, int count, const char** paths) {
-      if (count > 0) of(from).editor_.execute({.id = ui::CommandId::open, .path = paths[0]});
+      if (count > 0) of(from).editor_.execute({.name = "file.open_path", .path = paths[0]});
     });
   }
   ~WindowInput() { ImGui_ImplGlfw_Shutdown(); }
@@ -235,7 +235,7 @@ void follow_preferences(PreferencesFile& file, Editor& editor, ImGuiContextOwner
 
 /// Runs the simulation for users without a scene of their own, so that projectiles move.
 void begin_first_run(Editor& editor) {
-  editor.execute({.id = ui::CommandId::toggle_run});
+  editor.execute({.name = "simulation.run"});
   log_message(editor.state(), ui::LogLevel::info, "Right-click the wall to fire at it. See Help > Tour.");
 }
 
@@ -284,7 +284,7 @@ void loop(Editor& editor, ImGuiContextOwner& imgui, const Window& window, Window
     const bool draws = wait_for_frame(schedule, seconds_to_next_frame(editor, input, plays));
     if (glfwWindowShouldClose(window.handle())) {
       glfwSetWindowShouldClose(window.handle(), GLFW_FALSE);
-      editor.execute({.id = ui::CommandId::quit});
+      editor.execute({.name = "file.quit"});
     }
     const double now = glfwGetTime();
     autosave(editor, schedule, now);

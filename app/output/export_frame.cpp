@@ -1,6 +1,6 @@
 #include "app/output/export_frame.h"
 
-#include "sim/core/error.h"
+#include "app/output/file_formats.h"
 #include "sim/mesh/write_mesh.h"
 #include "sim/world/quantity_values.h"
 
@@ -65,20 +65,22 @@ void export_gmsh(const std::filesystem::path& path, const Frame& frame) {
   write_gmsh(path, soup);
 }
 
+struct FrameFormat {
+  std::string_view extension;
+  std::string_view content;
+  void (*write)(const std::filesystem::path&, const Frame&);
+};
+
+constexpr FrameFormat kFrameFormats[] = {{".vtu", "ParaView", export_vtu}, {".msh", "Gmsh", export_gmsh}};
+
 }  // namespace
 
-void check_export_path(const std::filesystem::path& path) {
-  if (path.extension() == ".vtu" || path.extension() == ".msh") return;
-  throw InputError(path.string(), "has no supported extension", "use .vtu or .msh");
-}
+std::string frame_formats_text() { return formats_text(kFrameFormats); }
+
+void check_export_path(const std::filesystem::path& path) { format_of(kFrameFormats, path); }
 
 void export_frame(const std::filesystem::path& path, const Frame& frame) {
-  check_export_path(path);
-  if (path.extension() == ".vtu") {
-    export_vtu(path, frame);
-  } else {
-    export_gmsh(path, frame);
-  }
+  format_of(kFrameFormats, path).write(path, frame);
 }
 
 }  // namespace griffith::app

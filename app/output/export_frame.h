@@ -1,10 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "sim/world/frame.h"
 
 namespace griffith::app {
+
+/// Lists the formats of export_frame() for help: ".vtu (ParaView) or .msh (Gmsh)".
+std::string frame_formats_text();
 
 /// Throws InputError unless export_frame() supports the file's extension. Call it before long work.
 void check_export_path(const std::filesystem::path& path);

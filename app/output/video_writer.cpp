@@ -1,7 +1,6 @@
 #include "app/output/video_writer.h"
 
 #include <algorithm>
-#include <array>
 #include <csignal>
 #include <iterator>
 #include <sstream>
@@ -10,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/output/file_formats.h"
 #include "app/shared/processes.h"
 #include "sim/core/error.h"
 #include "sim/core/process.h"
@@ -21,24 +21,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct VideoKind {
-  const char* ending;
+struct VideoFormat {
+  const char* extension;
   const char* encoder;  ///< arguments of ffmpeg; odd sizes lose a row or column in favor of common players
 };
 
-constexpr std::array<VideoKind, 5> kKinds = {{
+constexpr VideoFormat kVideoFormats[] = {
     {".mp4", "-vf crop=trunc(iw/2)*2:trunc(ih/2)*2 -c:v libx264 -crf 17 -pix_fmt yuv420p -movflags +faststart"},
     {".mkv", "-vf crop=trunc(iw/2)*2:trunc(ih/2)*2 -c:v libx264 -crf 17 -pix_fmt yuv420p"},
     {".mov", "-vf crop=trunc(iw/2)*2:trunc(ih/2)*2 -c:v libx264 -crf 17 -pix_fmt yuv420p"},
     {".webm", "-c:v libvpx-vp9 -crf 24 -b:v 0 -row-mt 1 -pix_fmt yuva420p"},
     {".gif", "-vf split[a][b];[a]palettegen[p];[b][p]paletteuse"},
-}};
-
-const VideoKind* kind_of(const fs::path& path) {
-  for (const VideoKind& kind : kKinds)
-    if (path.extension() == kind.ending) return &kind;
-  return nullptr;
-}
+};
 
 /// Splits a text at blanks.
 std::vector<std::string> words_of(const std::string& text) {
@@ -50,11 +44,15 @@ std::string video_name(const fs::path& path) { return "video" + path.extension()
 
 }  // namespace
 
-bool is_video_path(const fs::path& path) { return kind_of(path) != nullptr; }
+bool is_video_path(const fs::path& path) {
+  return std::ranges::any_of(kVideoFormats,
+                             [&](const VideoFormat& format) { return path.extension() == format.extension; });
+}
+
+std::string video_extensions() { return extensions_text(kVideoFormats); }
 
 void check_video_path(const fs::path& path) {
-  if (!is_video_path(path))
-    throw InputError(path.string(), "has no supported video extension", "use .mp4, .mkv, .mov, .webm or .gif");
+  format_of(kVideoFormats, path, "video extension");
   check_replaceable(path);
   constexpr ProcessLimits kLimits = {.seconds = 20, .memory_bytes = std::int64_t{4} << 30};
   if (!run_process({"ffmpeg", "-version"}, kLimits).succeeded())
@@ -81,7 +79,7 @@ VideoWriter::VideoWriter(fs::path path, int width, int height, double frames_per
                                     "-i",
                                     "-",
                                     "-an"};
-  std::ranges::copy(words_of(kind_of(path_)->encoder), std::back_inserter(words));
+  std::ranges::copy(words_of(format_of(kVideoFormats, path_).encoder), std::back_inserter(words));
   words.push_back((folder_.path() / video_name(path_)).string());
   const std::string command = shell_command(words) + " 2>" + shell_command({(folder_.path() / "log").string()});
   pipe_ = popen(command.c_str(), "we");

@@ -3,17 +3,20 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include "renderer/image.h"
 #include "sim/core/temporary_folder.h"
 
 namespace griffith::app {
 
-/// True for the extension of a video: .mp4, .mkv, .mov, .webm or .gif.
+/// Lists the extensions of videos: ".mp4, .mkv, .mov, .webm or .gif".
+std::string video_extensions();
+/// True for one of them.
 bool is_video_path(const std::filesystem::path& path);
 
-/// Throws InputError if no video can be written there: another extension than .mp4, .mkv, .mov, .webm or .gif, no
-/// ffmpeg, or a folder without write permission.
+/// Throws InputError if no video can be written there: another extension, no ffmpeg, or a folder without write
+/// permission.
 void check_video_path(const std::filesystem::path& path);
 
 /// Encodes pictures of one size into a video, with ffmpeg as a separate process. The file appears when it is complete.

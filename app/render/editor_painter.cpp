@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "app/editor/editor.h"
+#include "app/editor/editor_commands.h"
 #include "app/editor/imgui_context_owner.h"
 #include "app/output/open_world.h"
 #include "app/render/painter.h"
@@ -41,7 +42,7 @@ class EditorPainter : public Painter {
     if (!painted_ || views_.size() > 1) editor_.state().view = views_.at({camera, view});
     painted_ = true;
     for (const std::string& command : std::exchange(job_.commands, {}))
-      editor_.execute({.id = ui::find_command(command)->id});
+      editor_.execute({.name = command_info(command).name});
     if (job_.node) editor_.state().selection = selected_node(job_, world().frame());
     RenderedPicture picture;
     picture.image = image();

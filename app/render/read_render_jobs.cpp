@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "app/editor/editor_commands.h"
 #include "app/render/frame_list.h"
 #include "sim/core/file_content.h"
 #include "sim/scene/read_value.h"
@@ -26,18 +27,10 @@ void read_names(const Place& place, std::vector<std::string>& names) {
     read(place.child(std::to_string(i), place.json[i]), names[i], Text{.minimum_length = 0});
 }
 
-/// True if a picture may show the result of a command: not one that reads or writes files, or quits.
-bool is_for_pictures(ui::CommandId id) {
-  using enum ui::CommandId;
-  constexpr std::array kOthers = {open,           save,        recover,    discard_copy, leave_copy, add_surface,
-                                  save_recording, save_report, save_plots, screenshot,   quit};
-  return std::ranges::find(kOthers, id) == kOthers.end();
-}
-
 void read_commands(const Place& place, std::vector<std::string>& commands) {
   std::vector<std::string_view> known;
-  for (const ui::CommandInfo& command : ui::command_registry())
-    if (is_for_pictures(command.id)) known.push_back(command.name);
+  for (const ui::CommandInfo& command : command_registry())
+    if (command.for_pictures) known.push_back(command.name);
   read_names(place, commands);
   for (std::size_t i = 0; i < commands.size(); ++i)
     if (std::ranges::find(known, commands[i]) == known.end())

@@ -11,19 +11,16 @@
 namespace griffith::app {
 namespace {
 
-using ui::CommandId;
-
-constexpr CommandId kAdded[] = {CommandId::add_box,      CommandId::add_plate,  CommandId::add_pane,
-                                CommandId::add_cylinder, CommandId::add_sphere, CommandId::add_beam};
+constexpr std::string_view kAdded[] = {"add.box", "add.plate", "add.pane", "add.cylinder", "add.sphere", "add.beam"};
 
 class BodiesTest : public EditorTest {
  protected:
   void begin() {
-    editor_.execute({.id = CommandId::new_scene, .discard_edits = true});
+    editor_.execute({.name = "file.new", .discard_edits = true});
     settle();
   }
-  void add(CommandId id) {
-    editor_.execute({.id = id});
+  void add(std::string_view name) {
+    editor_.execute({.name = name});
     settle();
   }
   void settle() {
@@ -53,19 +50,19 @@ TEST_F(BodiesTest, ANewSceneIsEmptyAndAsksBeforeItLosesEdits) {
 TEST_F(BodiesTest, BodiesAreAddedBesideEachOtherOnTheGround) {
   begin();
   double right = -1e9;
-  for (const CommandId id : kAdded) {
+  for (const std::string_view name : kAdded) {
     const std::size_t first = editor_.run().frame().nodes.positions.size();
-    add(id);
+    add(name);
     const auto positions = editor_.run().frame().nodes.positions.subspan(first);
-    ASSERT_GT(positions.size(), 0u) << ui::command_info(id).name;
+    ASSERT_GT(positions.size(), 0u) << name;
     double low = 1e9, left = 1e9, end = -1e9;
     for (const Vec3& position : positions) {
       low = std::min(low, position.y());
       left = std::min(left, position.x());
       end = std::max(end, position.x());
     }
-    EXPECT_NEAR(low, 0, 1e-6) << ui::command_info(id).name << " stands on the ground";
-    EXPECT_GT(left, right) << ui::command_info(id).name << " touches none";
+    EXPECT_NEAR(low, 0, 1e-6) << name << " stands on the ground";
+    EXPECT_GT(left, right) << name << " touches none";
     right = end;
   }
   EXPECT_EQ(bodies(), 6u);
@@ -76,7 +73,7 @@ TEST_F(BodiesTest, BodiesAreAddedBesideEachOtherOnTheGround) {
 
 TEST_F(BodiesTest, ACopyHasANameOfItsOwnAndDeletingTakesItOut) {
   begin();
-  add(CommandId::add_box);
+  add("add.box");
   press_key('D', true);
   settle();
   EXPECT_EQ(bodies(), 2u);
@@ -97,20 +94,20 @@ TEST_F(BodiesTest, ACopyHasANameOfItsOwnAndDeletingTakesItOut) {
 TEST_F(BodiesTest, ASceneMadeFromNothingIsSavedAndReadToTheSameBytes) {
   std::filesystem::create_directories(test_folder());
   begin();
-  for (const CommandId id : kAdded) add(id);
-  editor_.execute({.id = CommandId::save, .path = file("a.json"), .replace = true});
+  for (const std::string_view name : kAdded) add(name);
+  editor_.execute({.name = "file.save", .path = file("a.json"), .replace = true});
   ASSERT_TRUE(check_scene(file("a.json")).empty());
   editor_.builder().open(file("a.json"));
   settle();
   ASSERT_EQ(bodies(), 6u);
-  editor_.execute({.id = CommandId::save, .path = file("b.json"), .replace = true});
+  editor_.execute({.name = "file.save", .path = file("b.json"), .replace = true});
   EXPECT_EQ(text_of(file("a.json")), text_of(file("b.json")));
   // Back and forth through the history changes nothing either.
-  for (int i = 0; i < 3; ++i) editor_.execute({.id = CommandId::duplicate});
+  for (int i = 0; i < 3; ++i) editor_.execute({.name = "edit.duplicate"});
   settle();
-  for (int i = 0; i < 3; ++i) editor_.execute({.id = CommandId::undo});
+  for (int i = 0; i < 3; ++i) editor_.execute({.name = "edit.undo"});
   settle();
-  editor_.execute({.id = CommandId::save, .path = file("b.json"), .replace = true});
+  editor_.execute({.name = "file.save", .path = file("b.json"), .replace = true});
   EXPECT_EQ(text_of(file("a.json")), text_of(file("b.json")));
   std::filesystem::remove_all(test_folder());
 }
@@ -122,7 +119,7 @@ TEST_F(BodiesTest, AShotCanBecomePartOfTheSceneAndHitsAgain) {
   click("projectile/preset");
   click("projectile/preset/steel ball");
   EXPECT_EQ(editor_.state().shot.mass, 0.263);
-  editor_.execute({.id = CommandId::fire});
+  editor_.execute({.name = "simulation.fire"});
   editor_.run().step();
   ASSERT_EQ(editor_.run().frame().projectiles.size(), shots + 1);
   const Vec3 place = editor_.run().frame().projectiles.back().position;
@@ -140,12 +137,11 @@ TEST_F(BodiesTest, AShotCanBecomePartOfTheSceneAndHitsAgain) {
 
 TEST_F(BodiesTest, SupportsLoadsProbesAndShotsAreAddedDuplicatedAndDeleted) {
   begin();
-  add(CommandId::add_box);
+  add("add.box");
   const std::string before = scene_to_json(editor_.document().scene());
-  for (const CommandId id :
-       {CommandId::add_support, CommandId::add_load, CommandId::add_probe, CommandId::add_projectile}) {
-    add(id);
-    EXPECT_FALSE(editor_.state().error) << ui::command_info(id).name;
+  for (const std::string_view name : {"add.support", "add.load", "add.probe", "add.projectile"}) {
+    add(name);
+    EXPECT_FALSE(editor_.state().error) << name;
   }
   const auto held = std::ranges::count(editor_.run().frame().nodes.has_support, 1);
   EXPECT_EQ(held, 25) << "all nodes of the lower face, and no others";
@@ -167,9 +163,9 @@ TEST_F(BodiesTest, SupportsLoadsProbesAndShotsAreAddedDuplicatedAndDeleted) {
 
 TEST_F(BodiesTest, AHiddenBodyIsNotDrawnButSimulated) {
   begin();
-  add(CommandId::add_box);
-  add(CommandId::add_sphere);
-  editor_.execute({.id = CommandId::frame_all});
+  add("add.box");
+  add("add.sphere");
+  editor_.execute({.name = "view.frame_all"});
   draw(2);
   const int both = hits_across();
   click("bodies/1/eye");
@@ -241,8 +237,8 @@ TEST_F(BodiesTest, WhatWaitedForWorkThatIsCancelledIsReportedAndNotDone) {
 
 TEST_F(BodiesTest, EntriesAreReorderedAndUndoneToTheSameBytes) {
   begin();
-  add(CommandId::add_box);
-  add(CommandId::add_plate);
+  add("add.box");
+  add("add.plate");
   const std::string before = scene_to_json(editor_.document().scene());
   const std::uint64_t hash = editor_.run().timeline().world().state_hash();
   click("bodies/1");

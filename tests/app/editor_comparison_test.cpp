@@ -8,7 +8,6 @@ namespace griffith::app {
 namespace {
 
 using ::testing::HasSubstr;
-using ui::CommandId;
 
 /// A wall that was let alone for ten steps, and one into which a ball was fired after four.
 Timeline forked() {
@@ -62,16 +61,16 @@ class ComparisonTest : public EditorTest {
   /// A second branch, with a shot in step 3 of ten.
   void fork() {
     run(10);
-    editor_.execute({.id = CommandId::go_to_step, .step = 3});
+    editor_.execute({.name = "time.step", .step = 3});
     editor_.state().shot.speed = 200;
-    editor_.execute({.id = CommandId::fire});
+    editor_.execute({.name = "simulation.fire"});
     run(7);
   }
 };
 
 TEST_F(ComparisonTest, NeedsAnotherBranch) {
   run(3);
-  EXPECT_FALSE(editor_.disabled_reason(CommandId::toggle_comparison).empty());
+  EXPECT_FALSE(editor_.disabled_reason("time.compare").empty());
   EXPECT_FALSE(ui::find_tag(editor_.tags(), "time/compare"));
 }
 
@@ -85,7 +84,7 @@ TEST_F(ComparisonTest, TheOtherBranchFollowsTheShownStep) {
   EXPECT_THAT(value("compare/difference"), HasSubstr("Branch 0 differs from step 4"));
   EXPECT_THAT(value("compare/difference"), HasSubstr("apart"));
   EXPECT_EQ(editor_.run().timeline().world().state_hash(), hash) << "what is shown is not touched by it";
-  editor_.execute({.id = CommandId::go_to_step, .step = 2});
+  editor_.execute({.name = "time.step", .step = 2});
   draw(2);
   EXPECT_THAT(value("compare/difference"), HasSubstr("Now all nodes are in the same places"));
   run(12);  // beyond the end of the other
@@ -103,7 +102,7 @@ TEST_F(ComparisonTest, GoingToTheComparedBranchLetsTheTwoChangePlaces) {
   draw(2);
   ASSERT_EQ(editor_.state().comparison.branch, 0);
   press_key(ui::key::kEscape);
-  editor_.execute({.id = CommandId::go_to_branch, .step = 8, .branch = 0});
+  editor_.execute({.name = "time.branch", .step = 8, .branch = 0});
   draw(2);
   EXPECT_EQ(editor_.run().timeline().branch(), 0);
   EXPECT_EQ(editor_.state().comparison.branch, 1);
@@ -118,8 +117,8 @@ TEST_F(ComparisonTest, ABranchThatBeginsMeanwhileIsComparedAgain) {
   draw(2);
   press_key(ui::key::kEscape);
   EXPECT_THAT(value("compare/difference"), HasSubstr("Branch 0 differs from step 4"));
-  editor_.execute({.id = CommandId::go_to_step, .step = 2});
-  editor_.execute({.id = CommandId::fire});
+  editor_.execute({.name = "time.step", .step = 2});
+  editor_.execute({.name = "simulation.fire"});
   run(3);
   ASSERT_EQ(editor_.run().timeline().branch(), 2);
   EXPECT_THAT(value("compare/difference"), HasSubstr("Branch 0 differs from step 3"));

@@ -9,8 +9,6 @@
 namespace griffith::app {
 namespace {
 
-using ui::CommandId;
-
 class EditorEntries : public EditorTest {
  protected:
   void drag(const std::string& tag, float dx, float dy) {
@@ -20,8 +18,8 @@ class EditorEntries : public EditorTest {
     play();
     wait_for_work();
   }
-  void execute(CommandId id) {
-    editor_.execute({.id = id});
+  void execute(std::string_view name) {
+    editor_.execute({.name = name});
     draw();
     wait_for_work();
   }
@@ -35,24 +33,22 @@ class EditorEntries : public EditorTest {
 
 TEST_F(EditorEntries, EachEditIsOneEntryOfTheHistoryAndComesBackToTheSameBytes) {
   const std::vector<std::pair<const char*, std::function<void()>>> edits = {
-      {"add a support", [&] { execute(CommandId::add_support); }},
+      {"add a support", [&] { execute("add.support"); }},
       {"drag a face of its region", [&] { drag("region/3", 4, -40); }},
       {"move its region", [&] { press_key('G'), drag("gizmo/move_y", 0, -30); }},
-      {"add a load", [&] { execute(CommandId::add_load); }},
-      {"add a probe", [&] { execute(CommandId::add_probe); }},
+      {"add a load", [&] { execute("add.load"); }},
+      {"add a probe", [&] { execute("add.probe"); }},
       {"move the probe", [&] { drag("gizmo/move_xy", 20, -10); }},
       {"rename the probe", [&] { press_key(ui::key::kF1 + 1), draw(4), type("tip"), press_key(ui::key::kEnter); }},
       {"duplicate the probe", [&] { press_key('D', true); }},
-      {"add a shot", [&] { execute(CommandId::add_projectile); }},
+      {"add a shot", [&] { execute("add.projectile"); }},
       {"turn a shot",
        [&] {
          choose({ui::EntryKind::projectile, 0}), drag("gizmo/turn_y", 40, 5);
        }},
-      {"add a camera", [&] { execute(CommandId::add_camera); }},
+      {"add a camera", [&] { execute("add.camera"); }},
       {"set it",
-       [&] {
-         editor_.viewport().use_camera(editor_.document().scene(), "side"), draw(), execute(CommandId::set_camera);
-       }},
+       [&] { editor_.viewport().use_camera(editor_.document().scene(), "side"), draw(), execute("view.set_camera"); }},
       {"turn a body",
        [&] {
          editor_.viewport().use_camera(editor_.document().scene(), "front"), choose({ui::EntryKind::body, 0}),
@@ -74,12 +70,12 @@ TEST_F(EditorEntries, EachEditIsOneEntryOfTheHistoryAndComesBackToTheSameBytes) 
     EXPECT_NE(texts.back(), texts[texts.size() - 2]) << name;
   }
   for (std::size_t i = edits.size(); i-- > 0;) {
-    execute(CommandId::undo);
+    execute("edit.undo");
     EXPECT_EQ(text(), texts[i]) << "undo " << edits[i].first;
   }
-  EXPECT_NE(editor_.disabled_reason(CommandId::undo), "") << "each was one entry";
+  EXPECT_NE(editor_.disabled_reason("edit.undo"), "") << "each was one entry";
   for (std::size_t i = 0; i < edits.size(); ++i) {
-    execute(CommandId::redo);
+    execute("edit.redo");
     EXPECT_EQ(text(), texts[i + 1]) << "redo " << edits[i].first;
   }
 }
@@ -87,13 +83,13 @@ TEST_F(EditorEntries, EachEditIsOneEntryOfTheHistoryAndComesBackToTheSameBytes) 
 TEST_F(EditorEntries, ACameraFromTheViewShowsWhatTheViewShowed) {
   for (int i = 0; i < 3; ++i) editor_.run().step();
   drag("viewport", 60, 35);
-  execute(CommandId::add_camera);
+  execute("add.camera");
   const Camera wanted = editor_.document().scene().cameras.back();
   drag("viewport", -90, 10);
   const auto shown = [&] {
-    execute(CommandId::add_camera);
+    execute("add.camera");
     Camera camera = editor_.document().scene().cameras.back();
-    execute(CommandId::undo);
+    execute("edit.undo");
     camera.name = wanted.name;
     return camera;
   };
@@ -106,7 +102,7 @@ TEST_F(EditorEntries, ACameraFromTheViewShowsWhatTheViewShowed) {
 }
 
 TEST_F(EditorEntries, ARegionThatIsDraggedHoldsTheNodesInIt) {
-  execute(CommandId::add_support);
+  execute("add.support");
   const auto held = [&] { return std::ranges::count(editor_.run().frame().nodes.has_support, 1); };
   const auto at_the_foot = held();
   ASSERT_GT(at_the_foot, 0);

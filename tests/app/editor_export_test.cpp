@@ -12,7 +12,6 @@ namespace griffith::app {
 namespace {
 
 using ::testing::HasSubstr;
-using ui::CommandId;
 namespace fs = std::filesystem;
 
 class ExportTest : public EditorTest {
@@ -23,7 +22,7 @@ class ExportTest : public EditorTest {
     for (int i = 0; i < steps; ++i) editor_.run().step();
     draw();
   }
-  void write(const fs::path& file) { editor_.execute({.id = CommandId::export_run, .path = file}); }
+  void write(const fs::path& file) { editor_.execute({.name = "file.write_export", .path = file}); }
   static std::string beginning(const fs::path& file, std::size_t count) {
     std::string text(count, ' ');
     std::ifstream(file, std::ios::binary).read(text.data(), static_cast<std::streamsize>(count));
@@ -32,7 +31,7 @@ class ExportTest : public EditorTest {
 };
 
 TEST_F(ExportTest, TheDialogProposesAFileForOtherPrograms) {
-  EXPECT_FALSE(editor_.disabled_reason(CommandId::export_dialog).empty()) << "there is no past yet";
+  EXPECT_FALSE(editor_.disabled_reason("file.export").empty()) << "there is no past yet";
   run(5);
   const std::uint64_t hash = editor_.run().timeline().world().state_hash();
   press_key('E', true);

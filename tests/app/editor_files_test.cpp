@@ -70,9 +70,9 @@ TEST_F(EditorFiles, ValuesFromTheCommandLineAreEditsThatAreNotSaved) {
   Editor editor(saved, small_wall_file(), &changed);
   EXPECT_NE(editor.document().title().find('*'), std::string::npos) << editor.document().title();
   EXPECT_EQ(editor.run().timeline().world().scene().projectiles[0].speed, 3);
-  editor.execute({.id = ui::CommandId::quit});
+  editor.execute({.name = "file.quit"});
   EXPECT_FALSE(editor.requests().quit) << "edits would be lost";
-  editor.execute({.id = ui::CommandId::undo});
+  editor.execute({.name = "edit.undo"});
   EXPECT_EQ(editor.document().title().find('*'), std::string::npos) << editor.document().title();
 }
 
@@ -120,14 +120,14 @@ TEST_F(EditorFiles, AFileThatAnotherProgramChangedIsNotReplacedUnasked) {
 
 TEST_F(EditorFiles, EditsOfASceneWithoutAFileCanBeSavedBeforeQuitting) {
   choose_material("concrete");
-  editor_.execute({.id = ui::CommandId::quit});
+  editor_.execute({.name = "file.quit"});
   draw(4);
   click("unsaved/save");
   draw(4);
   click("save/cancel");
   EXPECT_FALSE(editor_.requests().quit);
   EXPECT_TRUE(modified());
-  editor_.execute({.id = ui::CommandId::quit});
+  editor_.execute({.name = "file.quit"});
   draw(4);
   click("unsaved/save");
   draw(4);
@@ -180,13 +180,13 @@ TEST_F(EditorFiles, CopiesGoWithEditsThatAreNotWanted) {
   choose_material("concrete");
   editor_.recovery().copy(1);
   EXPECT_EQ(copies_in(states()), 1);
-  editor_.execute({.id = ui::CommandId::undo});
+  editor_.execute({.name = "edit.undo"});
   editor_.recovery().copy(2);
   EXPECT_EQ(copies_in(states()), 0);
   choose_material("soda-lime glass");
   editor_.recovery().copy(100);
   EXPECT_EQ(copies_in(states()), 1);
-  editor_.execute({.id = ui::CommandId::quit, .discard_edits = true});
+  editor_.execute({.name = "file.quit", .discard_edits = true});
   EXPECT_EQ(copies_in(states()), 0);
 }
 
@@ -241,7 +241,7 @@ TEST_F(EditorFiles, WhatALinkBesideASceneLeadsToIsNoneOfItsEdits) {
   editor_.builder().open(own);
   wait_for_work();
   EXPECT_TRUE(editor_.state().recoverable_edits.empty());
-  editor_.execute({.id = ui::CommandId::discard_copy});
+  editor_.execute({.name = "file.discard_copy"});
   EXPECT_TRUE(fs::exists(users / "scene.json"));
 }
 
@@ -270,10 +270,10 @@ TEST_F(EditorFiles, ASceneOpenedInPlaceOfAnAnswerLeavesWhatACrashLeft) {
   leave_edits(small_wall(), "");
   editor_.enable_autosave(states());
   EXPECT_FALSE(editor_.state().recoverable_edits.empty());
-  editor_.execute({.id = ui::CommandId::open, .path = small_wall_file()});  // as one dropped on the window is
+  editor_.execute({.name = "file.open_path", .path = small_wall_file()});  // as one dropped on the window is
   wait_for_work();
   EXPECT_TRUE(editor_.state().recoverable_edits.empty());
-  editor_.execute({.id = ui::CommandId::recover});
+  editor_.execute({.name = "file.recover"});
   EXPECT_EQ(editor_.run().frame().materials[0].name, small_wall().bodies[0].material.name);
   EXPECT_EQ(copies_in(states()), 1);
 }

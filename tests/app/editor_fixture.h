@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "app/editor/editor.h"
+#include "app/editor/editor_commands.h"
 #include "app/editor/imgui_context_owner.h"
 #include "app/editor/messages.h"
 #include "app/editor/picking.h"
@@ -91,7 +92,7 @@ class EditorTest : public ::testing::Test {
   int hits_across() {
     int hits = 0;
     for (int i = 0; i < 100; ++i) {
-      editor_.execute({.id = ui::CommandId::pick, .cursor = Vec2((i + 0.5) / 100, 0.5)});
+      editor_.execute({.name = "view.pick", .cursor = Vec2((i + 0.5) / 100, 0.5)});
       hits += editor_.state().selection.valid();
     }
     return hits;

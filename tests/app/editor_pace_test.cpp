@@ -10,8 +10,6 @@
 namespace griffith::app {
 namespace {
 
-using ui::CommandId;
-
 /// A wall of 5,120 tetrahedra, of which a step takes longer than it may in a short frame.
 Scene slow_wall() {
   Scene scene = small_wall();
@@ -64,7 +62,7 @@ class PaceTest : public EditorTest {
   std::uint64_t hash() const { return editor_.run().timeline().world().state_hash(); }
   void fire() {
     editor_.state().shot.speed = 60;
-    editor_.execute({.id = CommandId::fire});
+    editor_.execute({.name = "simulation.fire"});
   }
   std::int64_t step() const { return editor_.run().frame().step; }
 };
@@ -95,7 +93,7 @@ TEST_F(PaceTest, AShotMeanwhileComesBeforeTheStepThatWasOnItsWay) {
 TEST_F(PaceTest, GoingBackMeanwhileIsNotUndoneByTheStepThatEnds) {
   run_to(8);
   begin_step();
-  editor_.execute({.id = CommandId::go_to_step, .step = 2});
+  editor_.execute({.name = "time.step", .step = 2});
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
   draw(3);
   EXPECT_EQ(step(), 2);
@@ -239,7 +237,7 @@ TEST_F(PaceTest, AChangedMaterialMeanwhileIsInThePicture) {
   run_to(step() + 2);
   expect_picture_of_what_is_shown();
   begin_step();
-  editor_.execute({.id = CommandId::undo});
+  editor_.execute({.name = "edit.undo"});
   expect_picture_of_what_is_shown();
   run_to(step() + 2);
   expect_picture_of_what_is_shown();
@@ -248,7 +246,7 @@ TEST_F(PaceTest, AChangedMaterialMeanwhileIsInThePicture) {
 TEST_F(PaceTest, GoingBackOrToAnotherSceneMeanwhileShowsThat) {
   run_to(6);
   begin_step();
-  editor_.execute({.id = CommandId::go_to_step, .step = 2});
+  editor_.execute({.name = "time.step", .step = 2});
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
   expect_picture_of_what_is_shown();
   run_to(4);
@@ -266,7 +264,7 @@ TEST_F(PaceTest, WhatWasDoneAfterTheLastStepIsInItsPictureWhenItComesAgain) {
   const std::int64_t last = step();
   choose_material("concrete");
   const Material material = editor_.run().frame().materials[0];
-  editor_.execute({.id = CommandId::go_to_step, .step = 1});
+  editor_.execute({.name = "time.step", .step = 1});
   ASSERT_NE(editor_.run().frame().materials[0], material);
   begin_step();
   for (int i = 0; i < 60'000 && step() < last; ++i) {

@@ -9,7 +9,6 @@ namespace griffith::app {
 namespace {
 
 using ::testing::HasSubstr;
-using ui::CommandId;
 
 class EditorPlots : public EditorTest {
  protected:
@@ -43,7 +42,7 @@ TEST_F(EditorPlots, AreSavedAsWhatTheyShow) {
   const auto file = test_folder() / "run.csv";
   std::filesystem::remove(file);
   editor_.state().preferences.plotted = {"pieces", "", "energy.gravity"};
-  editor_.execute({.id = CommandId::save_plots, .path = file});
+  editor_.execute({.name = "file.write_plots", .path = file});
   std::istringstream lines(text_of(file));
   std::string line, last;
   int rows = 0;
@@ -62,7 +61,7 @@ TEST_F(EditorPlots, AreSavedAsWhatTheyShow) {
 TEST_F(EditorPlots, NoFileIsReplacedUnasked) {
   const auto file = test_folder() / "mine.csv";
   std::ofstream(file) << "mine";
-  editor_.execute({.id = CommandId::save_plots, .path = file});
+  editor_.execute({.name = "file.write_plots", .path = file});
   ASSERT_TRUE(editor_.state().replacement);
   EXPECT_EQ(text_of(file), "mine");
   draw(3);
@@ -81,7 +80,7 @@ TEST_F(EditorPlots, TheButtonAsksForACsvFile) {
 }
 
 TEST_F(EditorPlots, AFolderThatCannotBeWrittenToIsSaid) {
-  editor_.execute({.id = CommandId::save_plots, .path = "/nowhere/run.csv"});
+  editor_.execute({.name = "file.write_plots", .path = "/nowhere/run.csv"});
   ASSERT_TRUE(editor_.state().error);
   EXPECT_THAT(editor_.state().error->where, HasSubstr("/nowhere"));
 }
@@ -94,7 +93,7 @@ TEST_F(EditorPlots, AnotherWorldBeginsAgain) {
   make_steps(2);
   const auto file = test_folder() / "again.csv";
   std::filesystem::remove(file);
-  editor_.execute({.id = CommandId::save_plots, .path = file});
+  editor_.execute({.name = "file.write_plots", .path = file});
   const std::string csv = text_of(file);
   EXPECT_EQ(std::ranges::count(csv, '\n'), 4) << csv;
 }
@@ -103,7 +102,7 @@ TEST_F(EditorPlots, APictureOfThemIsSavedFromTheWindow) {
   make_steps(6);
   const auto file = test_folder() / "plots.png";
   std::filesystem::remove(file);
-  editor_.execute({.id = CommandId::save_plots_dialog, .path = file});
+  editor_.execute({.name = "file.plots", .path = file});
   draw(4);
   EXPECT_THAT(value("save/path"), ::testing::EndsWith("plots.png")) << "no .csv behind it";
   click("save/save");
@@ -129,7 +128,7 @@ TEST_F(EditorPlots, TheUtilizationOfTheSelectedNodeIsPlotted) {
   const auto file = test_folder() / "node.csv";
   std::filesystem::remove(file);
   editor_.state().preferences.plotted = {ui::kNodeUtilization};
-  editor_.execute({.id = CommandId::save_plots, .path = file});
+  editor_.execute({.name = "file.write_plots", .path = file});
   std::istringstream lines(text_of(file));
   std::string line, last;
   while (std::getline(lines, line)) last = line;

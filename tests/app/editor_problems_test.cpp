@@ -92,10 +92,17 @@ TEST_F(EditorProblems, TheListFollowsEditsAndUndo) {
   draw(2);
   wait_for_work();
   EXPECT_EQ(value("status/problems"), "1 problem");
-  editor_.execute({.id = ui::CommandId::undo});
+  editor_.execute({.name = "edit.undo"});
   draw(2);
   wait_for_work();
   EXPECT_EQ(value("status/problems"), "2 problems");
+}
+
+TEST_F(EditorProblems, ANewSceneHasNone) {
+  ASSERT_EQ(value("status/problems"), "2 problems");
+  editor_.execute({.name = "file.new", .discard_edits = true});
+  draw(2);
+  EXPECT_EQ(value("status/problems"), "no widget status/problems");
 }
 
 TEST_F(EditorProblems, NamesThatAreOutdatedGoWhenTheSceneIsSaved) {

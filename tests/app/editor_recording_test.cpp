@@ -9,25 +9,24 @@ namespace griffith::app {
 namespace {
 
 using ::testing::HasSubstr;
-using ui::CommandId;
 
 class EditorRecording : public EditorTest {
  protected:
   void make_steps(int count) {
-    for (int i = 0; i < count; ++i) editor_.execute({.id = CommandId::step});
+    for (int i = 0; i < count; ++i) editor_.execute({.name = "simulation.step"});
     draw();
   }
 
   /// Shoots, weakens the material, goes back and shoots otherwise: two branches.
   void play() {
     make_steps(4);
-    editor_.execute({.id = CommandId::fire, .cursor = Vec2(0.5, 0.5)});
+    editor_.execute({.name = "simulation.fire", .cursor = Vec2(0.5, 0.5)});
     choose_material("granite");
     make_steps(6);
-    editor_.execute({.id = CommandId::go_to_step, .step = 7});
-    editor_.execute({.id = CommandId::fire, .cursor = Vec2(0.4, 0.4)});
+    editor_.execute({.name = "time.step", .step = 7});
+    editor_.execute({.name = "simulation.fire", .cursor = Vec2(0.4, 0.4)});
     make_steps(4);
-    editor_.execute({.id = CommandId::go_to_step, .step = 2});
+    editor_.execute({.name = "time.step", .step = 2});
     draw();
   }
 
@@ -47,7 +46,7 @@ void expect_equal_replay(const Recording& recording) {
 
 TEST_F(EditorRecording, WhatWasPlayedReplaysWithoutTheEditor) {
   play();
-  editor_.execute({.id = CommandId::save_recording, .path = path("run.tar.zst")});
+  editor_.execute({.name = "file.write_recording", .path = path("run.tar.zst")});
   const Recording recording = read_recording(test_folder() / "run.tar.zst");
   EXPECT_EQ(recording.steps(), 11);
   EXPECT_EQ(recording.inputs.size(), 3u);
@@ -71,7 +70,7 @@ TEST_F(EditorRecording, NoFileIsReplacedUnasked) {
   make_steps(1);
   const auto file = path("run.tar.zst");
   std::ofstream(file) << "mine";
-  editor_.execute({.id = CommandId::save_recording, .path = file});
+  editor_.execute({.name = "file.write_recording", .path = file});
   ASSERT_TRUE(editor_.state().replacement);
   draw(3);
   click("replace/replace");
@@ -82,7 +81,7 @@ TEST_F(EditorRecording, ABugReportHoldsTheWindowAndTheLog) {
   play();
   const auto file = path("report.tar.zst");
   log_message(editor_.state(), ui::LogLevel::warning, "something odd");
-  editor_.execute({.id = CommandId::save_report, .path = file});
+  editor_.execute({.name = "help.write_report", .path = file});
   const auto request = editor_.files().take_picture_request();
   ASSERT_TRUE(request);
   EXPECT_FALSE(editor_.files().take_picture_request()) << "once";
@@ -96,7 +95,7 @@ TEST_F(EditorRecording, ABugReportHoldsTheWindowAndTheLog) {
 }
 
 TEST_F(EditorRecording, WhatCannotBeWrittenIsShown) {
-  editor_.execute({.id = CommandId::save_recording, .path = "/nowhere/run.tar.zst"});
+  editor_.execute({.name = "file.write_recording", .path = "/nowhere/run.tar.zst"});
   ASSERT_TRUE(editor_.state().error);
   EXPECT_EQ(editor_.state().error->where, "/nowhere/run.tar.zst");
 }
@@ -107,12 +106,12 @@ TEST_F(EditorRecording, AFileThatChangedSinceIsNoLongerWhatRan) {
   scene.bodies[0].shape = MeshFileShape{test_folder() / "mesh.msh"};
   scene.bodies[0].supports.clear();
   Editor editor(scene, "");
-  editor.execute({.id = CommandId::step});
-  editor.execute({.id = CommandId::save_recording, .path = path("run.tar.zst")});
+  editor.execute({.name = "simulation.step"});
+  editor.execute({.name = "file.write_recording", .path = path("run.tar.zst")});
   EXPECT_FALSE(editor.state().error);
   const auto later = std::filesystem::file_time_type::clock::now() + std::chrono::seconds(2);
   std::filesystem::last_write_time(test_folder() / "mesh.msh", later);
-  editor.execute({.id = CommandId::save_recording, .path = path("run.tar.zst")});
+  editor.execute({.name = "file.write_recording", .path = path("run.tar.zst")});
   ASSERT_TRUE(editor.state().error);
   EXPECT_THAT(editor.state().error->problem, HasSubstr("has changed"));
 }

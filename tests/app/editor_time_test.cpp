@@ -12,7 +12,6 @@ namespace {
 
 using ::testing::HasSubstr;
 using ui::Breakpoints;
-using ui::CommandId;
 
 class TimeTest : public EditorTest {
  protected:
@@ -23,7 +22,7 @@ class TimeTest : public EditorTest {
   /// Fires at the middle of the view with a shot that breaks the wall.
   void fire() {
     editor_.state().shot.speed = 60;
-    editor_.execute({.id = CommandId::fire});
+    editor_.execute({.name = "simulation.fire"});
   }
   void run_until_stopped() {
     editor_.state().running = true;
@@ -181,7 +180,7 @@ TEST_F(TimeTest, StopsBeforeThePiecesAndTheUtilizationAreThere) {
   EXPECT_LT(editor_.run().frame().fragments, 2);
   editor_.run().step();
   EXPECT_GE(editor_.run().frame().fragments, 2);
-  editor_.execute({.id = CommandId::go_to_start});
+  editor_.execute({.name = "time.start"});
   editor_.state().breakpoints = {};
   editor_.state().breakpoints.on_utilization = true;
   editor_.state().breakpoints.utilization = 0.2;
@@ -201,7 +200,7 @@ TEST_F(TimeTest, SoManyStepsAreMadeAsAreAskedFor) {
   for (int i = 0; i < 100 && editor_.state().running; ++i) editor_.run().advance(1e-6);
   EXPECT_EQ(step(), 7) << "whatever time has passed";
   EXPECT_FALSE(editor_.state().running);
-  editor_.execute({.id = CommandId::make_steps, .step = 1000});
+  editor_.execute({.name = "simulation.make_steps", .step = 1000});
   editor_.run().advance(1e-6);
   EXPECT_GT(step(), 7);
   press_key(ui::key::kSpace);
@@ -263,14 +262,14 @@ TEST_F(FarTravelTest, GoingBackFarShowsProgressAndCanBeCancelled) {
     if (i == kSteps - 2) hash = editor_.run().timeline().world().state_hash();
   }
   ASSERT_GE(editor_.run().timeline().interval(), 256) << "no copy but the first";
-  editor_.execute({.id = CommandId::step_back});
+  editor_.execute({.name = "time.back"});
   ASSERT_THAT(editor_.state().work, HasSubstr("going to step 249"));
   draw(3);
   EXPECT_THAT(value("work/stage"), HasSubstr("Repeating"));
   wait_for_work();
   EXPECT_EQ(editor_.run().frame().step, kSteps - 1);
   EXPECT_EQ(editor_.run().timeline().world().state_hash(), hash);
-  editor_.execute({.id = CommandId::step_back});
+  editor_.execute({.name = "time.back"});
   draw(4);
   click("work/cancel");
   draw(3);

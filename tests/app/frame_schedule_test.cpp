@@ -38,7 +38,7 @@ TEST_F(EditorTest, APausedWindowHasNothingToDraw) {
 }
 
 TEST_F(EditorTest, WhatGoesOnByItselfIsDrawn) {
-  editor_.execute({.id = ui::CommandId::make_steps, .step = 3});
+  editor_.execute({.name = "simulation.make_steps", .step = 3});
   EXPECT_EQ(editor_.seconds_to_next_frame(), kDrawAtOnce) << "steps that were asked for";
   while (editor_.state().running) editor_.run().advance(0.02);
   draw(3);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -208,6 +209,23 @@ TEST(IncludeRules, OwnHeadersAreIncludedFromTheRoot) {
       EXPECT_EQ(include.path.find("../"), std::string::npos) << include.file << " includes " << include.path;
     }
   }
+}
+
+TEST(IncludeRules, PartsOfTheEditorKnowOnlyThoseBeforeThem) {
+  const std::vector<std::string> parts = {"scene_document", "edit_recovery", "known_scenes", "viewport",
+                                          "run_controller", "world_builder", "run_analysis", "run_files",
+                                          "scripting",      "editor"};
+  const auto place_of = [&](const std::string& path) {
+    return std::ranges::find(parts, fs::path(path).stem().string()) - parts.begin();
+  };
+  int known = 0;
+  for (const Include& include : includes_under("app/editor")) {
+    const auto from = place_of(include.file), to = place_of(include.path);
+    if (std::max(from, to) == std::ssize(parts) || folder_of(include.path) != "app/editor") continue;
+    EXPECT_LE(to, from) << include.file << " includes " << include.path;
+    known += to < from;
+  }
+  EXPECT_GT(known, 15);
 }
 
 }  // namespace

@@ -15,7 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
-using ui::CommandId;
 
 std::string macro_text(const fs::path& file) {
   std::ifstream stream(file);
@@ -69,7 +68,7 @@ class MacroTest : public EditorTest {
   /// Plays what was recorded in another editor of the same scene, from its start.
   void start_anew() {
     write_scene(small_wall(), test_folder() / "wall.json");
-    editor_.execute({.id = CommandId::open, .path = test_folder() / "wall.json", .discard_edits = true});
+    editor_.execute({.name = "file.open_path", .path = test_folder() / "wall.json", .discard_edits = true});
     wait_for_work();
   }
 
@@ -86,7 +85,7 @@ TEST_F(MacroTest, WhatIsRecordedDoesTheSameAgain) {
   toggle_recording();
   EXPECT_EQ(value("status/recording"), "recording a macro");
   choose_material("concrete");
-  editor_.execute({.id = CommandId::add_support});
+  editor_.execute({.name = "add.support"});
   draw(3);
   wait_for_work();
   drag("region/3", 4, -40);
@@ -94,7 +93,7 @@ TEST_F(MacroTest, WhatIsRecordedDoesTheSameAgain) {
   editor_.state().shot.speed = 17;
   draw();
   drag("viewport", 60, 20);
-  editor_.execute({.id = CommandId::fire, .cursor = {0.5, 0.45}});
+  editor_.execute({.name = "simulation.fire", .cursor = {0.5, 0.45}});
   draw();
   for (int i = 0; i < 5; ++i) editor_.run().step(), draw();
   const std::string made = scene_text();
@@ -117,7 +116,7 @@ TEST_F(MacroTest, UndoTakesBackOneRecordedEdit) {
   choose_material("ice");
   press_key('Z', true);
   const std::string recorded = save_recorded("undo");
-  editor_.execute({.id = CommandId::undo});
+  editor_.execute({.name = "edit.undo"});
   draw();
   EXPECT_NE(editor_.document().scene().bodies[0].material.name, "concrete");
   play_script(parse_script(recorded, "undo"));

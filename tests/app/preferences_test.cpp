@@ -82,7 +82,7 @@ TEST_F(EditorTest, OpenedScenesAreInTheMenuOfRecentOnes) {
 }
 
 TEST_F(EditorTest, PreferencesAreChangedInTheirDialog) {
-  editor_.execute({.id = ui::CommandId::preferences});
+  editor_.execute({.name = "edit.preferences"});
   draw(4);
   click("preferences/invert_orbit");
   EXPECT_TRUE(editor_.state().preferences.invert_orbit);

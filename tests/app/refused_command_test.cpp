@@ -11,15 +11,14 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
-using ui::CommandId;
 
 TEST_F(EditorTest, EveryCommandThatMakesNoSenseSaysWhyAndDoesNothing) {
   int refused = 0;
-  for (const ui::CommandInfo& info : ui::command_registry()) {
-    const std::string reason(editor_.disabled_reason(info.id));
+  for (const ui::CommandInfo& info : command_registry()) {
+    const std::string reason(editor_.disabled_reason(info.name));
     if (reason.empty()) continue;
     const Scene scene = editor_.document().scene();
-    editor_.execute({.id = info.id});
+    editor_.execute({.name = info.name});
     draw(2);
     EXPECT_EQ(value("status/message"), std::string(info.label) + ": " + reason) << info.name;
     EXPECT_EQ(editor_.document().scene(), scene) << info.name;
@@ -44,11 +43,11 @@ TEST_F(EditorTest, AShortcutThatMakesNoSenseSaysWhyUntilSomethingElseIsDone) {
 
 TEST_F(EditorTest, AStepOrBranchThatIsNotThereIsRefused) {
   for (int i = 0; i < 3; ++i) editor_.run().step();
-  editor_.execute({.id = CommandId::go_to_step, .step = 9});
+  editor_.execute({.name = "time.step", .step = 9});
   ASSERT_TRUE(editor_.state().error);
   EXPECT_EQ(editor_.state().error->where, "step 9 of branch 0");
   EXPECT_EQ(editor_.state().error->remedy, "there is step 0 to 3");
-  editor_.execute({.id = CommandId::go_to_branch, .step = 2, .branch = 7});
+  editor_.execute({.name = "time.branch", .step = 2, .branch = 7});
   EXPECT_EQ(editor_.state().error->where, "branch 7");
   EXPECT_EQ(editor_.run().frame().step, 3);
 }
@@ -57,12 +56,12 @@ TEST(RefusedCommand, ADialogGivenItsFileInAScriptIsNoDialog) {
   const auto command = [](const std::string& line) {
     return parse_script("command " + line, "a.script").front().command;
   };
-  EXPECT_EQ(command("file.save_as out.json").id, CommandId::save);
+  EXPECT_EQ(command("file.save_as out.json").name, "file.save");
   EXPECT_EQ(command("file.save_as out.json").path, "out.json");
-  EXPECT_EQ(command("file.save_as").id, CommandId::save_dialog);
-  EXPECT_EQ(command("file.export out.glb").id, CommandId::export_run);
-  EXPECT_EQ(command("file.open out.json").id, CommandId::open);
-  for (const ui::CommandInfo& info : ui::command_registry())
+  EXPECT_EQ(command("file.save_as").name, "file.save_as");
+  EXPECT_EQ(command("file.export out.glb").name, "file.write_export");
+  EXPECT_EQ(command("file.open out.json").name, "file.open_path");
+  for (const ui::CommandInfo& info : command_registry())
     if (info.argument == ui::CommandArgument::none) {
       try {
         command(std::string(info.name) + " here.json");

@@ -33,7 +33,7 @@ TEST(Script, ReadsEveryVerb) {
       "a.script");
   ASSERT_EQ(script.size(), 15u);
   EXPECT_EQ(script[0].place, "a.script:3");
-  EXPECT_EQ(script[0].command.id, ui::CommandId::step);
+  EXPECT_EQ(script[0].command.name, "simulation.step");
   EXPECT_EQ(script[1].command.path, "my wall.json");
   EXPECT_EQ(script[3].button, 1);
   EXPECT_EQ(script[4].down, -4.5f);
@@ -68,11 +68,11 @@ TEST(Script, MistakesNameTheirLineAndTheRemedy) {
 }
 
 TEST(Script, CommandsAreReadBackAsTheyWereWritten) {
-  for (const ui::CommandInfo& info : ui::command_registry()) {
-    ui::Command command{.id = info.id, .path = "my \"wall\".json", .step = 12, .branch = 1, .cursor = {0.25, 0.5}};
+  for (const ui::CommandInfo& info : command_registry()) {
+    ui::Command command{.name = info.name, .path = "my \"wall\".json", .step = 12, .branch = 1, .cursor = {0.25, 0.5}};
     const Script script = parse_script(script_line(command), "a.script");
     ASSERT_EQ(script.size(), 1u);
-    EXPECT_EQ(script[0].command.id, info.id);
+    EXPECT_EQ(script[0].command.name, info.name);
     EXPECT_EQ(script_line(script[0].command), script_line(command));
   }
 }
@@ -228,9 +228,9 @@ class RandomActions : public EditorTest {
   }
 
   void issue_any_command() {
-    const std::span<const ui::CommandInfo> registry = ui::command_registry();
+    const std::span<const ui::CommandInfo> registry = command_registry();
     const ui::CommandInfo& info = registry[static_cast<std::size_t>(below(registry.size()))];
-    editor_.execute({.id = info.id,
+    editor_.execute({.name = info.name,
                      .path = any_path(),
                      .step = below(20),
                      .cursor = {below(100) / 100.0, below(100) / 100.0},
@@ -341,7 +341,7 @@ TEST_F(RandomActions, LeaveAnEditorThatWorks) {
     ASSERT_TRUE(check_scene_text(scene_to_json(editor_.document().scene()), "scene").empty()) << "action " << i;
     check_files();
   }
-  editor_.execute({.id = ui::CommandId::new_scene, .discard_edits = true});
+  editor_.execute({.name = "file.new", .discard_edits = true});
   draw(2);
   EXPECT_EQ(editor_.run().frame().step, 0);
 }

@@ -20,7 +20,6 @@ using ::testing::Field;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
-using ui::CommandId;
 using ui::Verdict;
 
 std::string percent(double utilization) { return ui::format_quantity(100 * utilization, "", 3) + " %"; }
@@ -250,25 +249,25 @@ TEST_F(SentencesOnScreen, WhatWasSaidOfAStateIsNotSaidOfAnother) {
   run_until_stopped();
   const std::int64_t stopped = step();
   EXPECT_THAT(value("status/message"), HasSubstr("step " + std::to_string(stopped) + ". Node"));
-  editor_.execute({.id = CommandId::step_back});
+  editor_.execute({.name = "time.back"});
   draw(2);
   expect_agreement();
   EXPECT_EQ(value("time/stopped"), "no widget time/stopped");
-  editor_.execute({.id = CommandId::fire});  // another branch begins
+  editor_.execute({.name = "simulation.fire"});  // another branch begins
   editor_.state().breakpoints = {};
   for (int i = 0; i < 3; ++i) {
     editor_.run().step();
     draw(2);
     expect_agreement();
   }
-  editor_.execute({.id = CommandId::go_to_branch, .step = stopped, .branch = 0});
+  editor_.execute({.name = "time.branch", .step = stopped, .branch = 0});
   draw(2);
   expect_agreement();
 }
 
 TEST_F(SentencesOnScreen, AMessageOfTheStateGoesWithItAndOthersStay) {
   log_message(editor_.state(), ui::LogLevel::info, "Saved wall.json");
-  editor_.execute({.id = CommandId::fire});
+  editor_.execute({.name = "simulation.fire"});
   draw();
   EXPECT_THAT(value("status/message"), HasSubstr("Press Space to run"));
   editor_.run().step();

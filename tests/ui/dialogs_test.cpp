@@ -77,7 +77,7 @@ TEST(Dialogs, OpenDialogTakesATypedPath) {
   for (int i = 0; i < 3; ++i) ui.frame();
   ui.click("open/path");
   ui.type("a/b.json");
-  ASSERT_THAT(ui.issued(), ::testing::ElementsAre(CommandId::open));
+  ASSERT_THAT(ui.issued(), ::testing::ElementsAre("file.open_path"));
   EXPECT_EQ(ui.commands[0].path, "a/b.json");
   EXPECT_FALSE(ui.state.show_open);
 }
@@ -90,7 +90,7 @@ TEST(Dialogs, ScenesOfTheSameNameAreDistinguishedByTheirFolder) {
   for (int i = 0; i < 3; ++i) ui.frame();
   EXPECT_EQ(ui.value("open/table"), "table");
   ui.click("open/wall (b)");
-  ASSERT_THAT(ui.issued(), ::testing::ElementsAre(CommandId::open));
+  ASSERT_THAT(ui.issued(), ::testing::ElementsAre("file.open_path"));
   EXPECT_EQ(ui.commands[0].path, "b/wall.json");
 }
 
@@ -100,7 +100,7 @@ TEST(Dialogs, SaveDialogTakesATypedName) {
   for (int i = 0; i < 3; ++i) ui.frame();
   EXPECT_EQ(ui.value("save/path"), "/somewhere/walls.json");
   ui.type("../else/table");  // it has the focus, and what was there is replaced
-  ASSERT_THAT(ui.issued(), ::testing::ElementsAre(CommandId::save));
+  ASSERT_THAT(ui.issued(), ::testing::ElementsAre("file.save"));
   EXPECT_EQ(ui.commands[0].path, "/else/table.json");
   EXPECT_FALSE(ui.state.save_as);
 }

@@ -45,7 +45,7 @@ class GizmoTest : public ::testing::Test {
 
 TEST_F(GizmoTest, AKeyShowsIt) {
   ui_.press_key('G');
-  ASSERT_EQ(ui_.issued(), std::vector{CommandId::toggle_gizmo});
+  ASSERT_EQ(ui_.issued(), std::vector<std::string_view>{"edit.gizmo"});
   ui_.state.show_gizmo = false;
   ui_.frame();
   EXPECT_FALSE(shown());

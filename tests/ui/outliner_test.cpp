@@ -135,10 +135,10 @@ TEST(Outliner, ADoubleClickAndF2AskForAName) {
   ui.press_key(key::kF1 + 1);
   ui.click("cameras/0");
   ui.click("cameras/0");
-  EXPECT_THAT(ui.issued(), ElementsAre(CommandId::rename, CommandId::rename));
+  EXPECT_THAT(ui.issued(), ElementsAre("edit.rename", "edit.rename"));
   ui.click("projectiles/0");
   ui.press_key(key::kF1 + 1);
-  EXPECT_FALSE(nothing_with_a_name(ui.context()).empty()) << "a projectile has no name";
+  EXPECT_FALSE(app::command_info("edit.rename").disabled_reason(ui.context()).empty()) << "a projectile has no name";
 }
 
 TEST(Outliner, TheContextMenuIsOfTheRowUnderTheCursor) {
@@ -148,13 +148,13 @@ TEST(Outliner, TheContextMenuIsOfTheRowUnderTheCursor) {
   EXPECT_THAT(chosen(ui), ElementsAre(SceneEntry{EntryKind::probe, 1}));
   EXPECT_EQ(find_tag(ui.tags, "context/view.hide"), nullptr) << "a probe is no body";
   ui.click("context/edit.delete");
-  EXPECT_THAT(ui.issued(), ElementsAre(CommandId::remove));
+  EXPECT_THAT(ui.issued(), ElementsAre("edit.delete"));
 }
 
 TEST(Outliner, TheEyeAsksToHideItsBody) {
   UiDriver ui(full_scene());
   ui.click("bodies/1/eye");
-  EXPECT_THAT(ui.issued(), ElementsAre(CommandId::toggle_hidden));
+  EXPECT_THAT(ui.issued(), ElementsAre("view.hide"));
   EXPECT_THAT(chosen(ui), ElementsAre(SceneEntry{EntryKind::body, 1}));
   ui.state.hidden_bodies = {"right"};
   ui.frame();
@@ -166,7 +166,7 @@ TEST(Outliner, TheIconOfACameraAsksToLookThroughIt) {
   UiDriver ui(full_scene());
   EXPECT_FALSE(find_tag(ui.tags, "bodies/0/look"));
   ui.click("cameras/0/look");
-  EXPECT_THAT(ui.issued(), ElementsAre(CommandId::look_through));
+  EXPECT_THAT(ui.issued(), ElementsAre("view.look_through"));
   EXPECT_THAT(chosen(ui), ElementsAre(SceneEntry{EntryKind::camera, 0}));
 }
 
@@ -332,9 +332,9 @@ TEST(Outliner, KeysMoveWhatIsChosen) {
   UiDriver ui(full_scene());
   ui.click("cameras/1");
   ui.press_key(key::kUp, true);
-  EXPECT_THAT(ui.issued(), ElementsAre(CommandId::move_up));
+  EXPECT_THAT(ui.issued(), ElementsAre("edit.move_up"));
   ui.press_key(key::kDown, true);
-  EXPECT_FALSE(nothing_to_move_down(ui.context()).empty()) << "it is the last";
+  EXPECT_FALSE(app::command_info("edit.move_down").disabled_reason(ui.context()).empty()) << "it is the last";
   EXPECT_EQ(chosen(ui), (std::vector<SceneEntry>{{EntryKind::camera, 1}})) << "Ctrl does not choose";
 }
 

@@ -32,7 +32,7 @@ class PlotPanelTest : public ::testing::Test {
   std::vector<std::int64_t> steps_gone_to() const {
     std::vector<std::int64_t> steps;
     for (const Command& command : ui_.commands)
-      if (command.id == CommandId::go_to_step) steps.push_back(command.step);
+      if (command.name == "time.step") steps.push_back(command.step);
     return steps;
   }
 
@@ -94,7 +94,7 @@ TEST_F(PlotPanelTest, TheListChoosesSeries) {
 TEST_F(PlotPanelTest, ButtonsSaveAndClose) {
   ui_.click("plots/save");
   ui_.click("plots/close");
-  EXPECT_THAT(ui_.issued(), ElementsAre(CommandId::save_plots_dialog, CommandId::toggle_plots));
+  EXPECT_THAT(ui_.issued(), ElementsAre("file.plots", "view.plots"));
   ui_.state.preferences.plotted = {};
   ui_.input.curves = {};
   ui_.frame();

@@ -72,7 +72,7 @@ class ScenesDialog : public ::testing::Test {
 
 TEST_F(ScenesDialog, AClickOpensTheScene) {
   ui_.click("scenes/disc");
-  EXPECT_THAT(ui_.issued(), ElementsAre(CommandId::open));
+  EXPECT_THAT(ui_.issued(), ElementsAre("file.open_path"));
   EXPECT_EQ(opened(), "a/disc.json");
   EXPECT_FALSE(ui_.state.browser.shown);
 }
@@ -105,7 +105,7 @@ TEST_F(ScenesDialog, AnotherFileIsAskedForInTheOpenDialog) {
   ui_.frame();
   ui_.frame();
   ui_.click("open/scenes");
-  EXPECT_THAT(ui_.issued(), ElementsAre(CommandId::browse_scenes));
+  EXPECT_THAT(ui_.issued(), ElementsAre("file.scenes"));
 }
 
 TEST_F(ScenesDialog, TopicsStandOverTheirCardsSideBySide) {

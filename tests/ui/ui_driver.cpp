@@ -34,6 +34,7 @@ UiDriver::UiDriver(Scene scene) : history(std::move(scene)) {
   map_keys(io);
   apply_style(1);
   input.fonts = load_fonts(1);
+  input.commands = app::command_registry();
   unsigned char* pixels = nullptr;
   int width = 0, height = 0;
   io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
@@ -62,10 +63,10 @@ std::string UiDriver::value(const std::string& tag) {
   return found ? found->value : "no widget " + tag;
 }
 
-std::vector<CommandId> UiDriver::issued() const {
-  std::vector<CommandId> ids;
-  for (const Command& command : commands) ids.push_back(command.id);
-  return ids;
+std::vector<std::string_view> UiDriver::issued() const {
+  std::vector<std::string_view> names;
+  for (const Command& command : commands) names.push_back(command.name);
+  return names;
 }
 
 void UiDriver::play() {

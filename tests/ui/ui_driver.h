@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/model/command_context.h"
+#include "app/editor/editor_commands.h"
 #include "ui/model/gestures.h"
 #include "ui/panels/editor_layout.h"
 
@@ -36,7 +36,7 @@ class UiDriver {
   void type(const std::string& text);
   void press_key(int key, bool ctrl = false, bool shift = false);
   /// Returns the commands issued so far.
-  std::vector<CommandId> issued() const;
+  std::vector<std::string_view> issued() const;
   /// Returns the context that enables or disables commands.
   CommandContext context() const { return {state, history, input.time, input.frame.step, input.legend.has_value()}; }
 

@@ -55,7 +55,7 @@ void error_dialog(Panel& panel) {
 void waiting_line(Panel& panel) {
   std::string text;
   for (const Command& command : panel.state.waiting)
-    text.append(text.empty() ? "Then: " : ", ").append(command_info(command.id).label);
+    text.append(text.empty() ? "Then: " : ", ").append(command_info(command.name, panel).label);
   if (text.empty()) return;
   hint(panel, text);
   tag_last_item(panel.tags, "work/waiting", text);
@@ -83,7 +83,7 @@ void close_work_dialog() {
 }
 
 void open_scene(Panel& panel, const std::filesystem::path& path) {
-  issue(panel, {.id = CommandId::open, .path = path});
+  issue(panel, {.name = "file.open_path", .path = path});
   panel.state.show_open = false;
 }
 
@@ -114,7 +114,7 @@ void open_dialog(Panel& panel) {
   if ((entered || pressed) && state.path_text[0] != '\0') open_scene(panel, state.path_text.data());
   ImGui::SameLine();
   if (text_button(panel, "open/scenes", "Pictures…", 120 * ui_scale(panel))) {
-    issue(panel, {.id = CommandId::browse_scenes});
+    issue(panel, {.name = "file.scenes"});
     state.show_open = false;
   }
   ImGui::SameLine();
@@ -142,7 +142,7 @@ void help_dialog(Panel& panel) {
     ImGui::TableSetupColumn("text", ImGuiTableColumnFlags_WidthStretch);
     for (const auto& [keys, text] : kMouseHelp) help_table_row(keys, text);
     help_table_row("", "");
-    for (const CommandInfo& info : command_registry()) {
+    for (const CommandInfo& info : panel.input.commands) {
       if (info.shortcut.key == key::kNone) continue;
       help_table_row(shortcut_text(info.shortcut).c_str(), std::string(info.hint).c_str());
     }

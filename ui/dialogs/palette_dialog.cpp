@@ -29,7 +29,7 @@ struct PaletteItem {
 };
 
 PaletteItem item_of(const CommandInfo& info, const Panel& panel) {
-  return {{.id = info.id},
+  return {{.name = info.name},
           std::string(info.name),
           std::string(info.label),
           menu_label(info.menu),
@@ -41,11 +41,11 @@ PaletteItem item_of(const CommandInfo& info, const Panel& panel) {
 /// Returns the commands that match, best first, then the macros that match.
 std::vector<PaletteItem> matching_items(const Panel& panel, std::string_view query) {
   std::vector<PaletteItem> items;
-  for (const CommandInfo* info : matching_commands(query)) items.push_back(item_of(*info, panel));
+  for (const CommandInfo* info : matching_commands(panel.input.commands, query)) items.push_back(item_of(*info, panel));
   for (const std::filesystem::path& macro : panel.input.macros) {
     const std::string title = macro.stem().string();
     if (match_score("Macro " + title, query))
-      items.push_back({{.id = CommandId::play_macro, .path = macro},
+      items.push_back({{.name = "edit.play_macro", .path = macro},
                        "macro/" + title,
                        title,
                        "Macro",

@@ -29,50 +29,27 @@ void name_list(Panel& panel, SaveTarget& target) {
   ImGui::EndChild();
 }
 
-/// Texts of the dialog for a kind of file.
-struct SavedWords {
+/// The dialog for a kind of file.
+struct SavedFormat {
   const char* title;
-  CommandId save, dialog;
+  std::string_view dialog;     ///< command that opens it
+  std::string_view extension;  ///< appended to names without it
 };
 
-SavedWords words_of(SavedKind kind) {
-  switch (kind) {
-    case SavedKind::scene:
-      return {"Save the scene as", CommandId::save, CommandId::save_dialog};
-    case SavedKind::recording:
-      return {"Save the recording as", CommandId::save_recording, CommandId::save_recording_dialog};
-    case SavedKind::plots:
-      return {"Save the plots as", CommandId::save_plots, CommandId::save_plots_dialog};
-    case SavedKind::macro:
-      return {"Save the macro as", CommandId::save_macro, CommandId::save_macro_dialog};
-    case SavedKind::exported:
-      return {"Export the run as", CommandId::export_run, CommandId::export_dialog};
-    default:
-      return {"Save the bug report as", CommandId::save_report, CommandId::save_report_dialog};
-  }
-}
+/// By SavedKind.
+constexpr SavedFormat kFormats[] = {
+    {"Save the scene as", "file.save_as", ".json"},        {"Save the recording as", "file.record", ".tar.zst"},
+    {"Save the bug report as", "help.report", ".tar.zst"}, {"Save the plots as", "file.plots", ".csv"},
+    {"Export the run as", "file.export", ".glb"},          {"Save the macro as", "edit.save_macro", ".script"},
+};
+
+const SavedFormat& format_of(SavedKind kind) { return kFormats[static_cast<std::size_t>(kind)]; }
 
 /// Returns the dialog that asks for another file than the command has.
-CommandId dialog_of(CommandId save) {
-  for (const SavedKind kind :
-       {SavedKind::recording, SavedKind::bug_report, SavedKind::plots, SavedKind::exported, SavedKind::macro})
-    if (words_of(kind).save == save) return words_of(kind).dialog;
-  return CommandId::save_dialog;
-}
-
-std::string_view ending_of(SavedKind kind) {
-  switch (kind) {
-    case SavedKind::scene:
-      return ".json";
-    case SavedKind::plots:
-      return ".csv";
-    case SavedKind::exported:
-      return ".glb";
-    case SavedKind::macro:
-      return ".script";
-    default:
-      return ".tar.zst";
-  }
+std::string_view dialog_of(std::string_view save, const Panel& panel) {
+  for (const SavedFormat& format : kFormats)
+    if (command_info(format.dialog, panel).with_path == save) return format.dialog;
+  return format_of(SavedKind::scene).dialog;
 }
 
 void close(bool answered) {
@@ -80,14 +57,9 @@ void close(bool answered) {
   ImGui::EndPopup();
 }
 
-/// Explains the formats by file name extension.
-void export_hint(const Panel& panel) {
-  hint(panel, "Pieces, motion and bonds: .glb (Blender, Unity, Unreal), .usda (USD), .json, .csv");
-  hint(panel, "Page for a browser: .html");
-  hint(panel, "The view: .mp4, .webm, .gif (with ffmpeg), .png (one picture per step)");
-}
-
 }  // namespace
+
+std::string_view extension_of(SavedKind kind) { return format_of(kind).extension; }
 
 SaveTarget save_target(const std::filesystem::path& file, SavedKind kind) {
   const std::filesystem::path whole = std::filesystem::absolute(file).lexically_normal();
@@ -98,18 +70,18 @@ SaveTarget save_target(const std::filesystem::path& file, SavedKind kind) {
 
 std::filesystem::path file_of(const SaveTarget& target) {
   std::filesystem::path file = target.folder / target.name.data();
-  const std::string_view ending = ending_of(target.kind);
+  const std::string_view extension = extension_of(target.kind);
   const bool is_picture = target.kind == SavedKind::plots && file.extension() == ".png";
   const bool ends_well =
-      is_picture || (target.kind == SavedKind::exported ? file.has_extension() : file.string().ends_with(ending));
-  if (!ends_well) file += ending;
+      is_picture || (target.kind == SavedKind::exported ? file.has_extension() : file.string().ends_with(extension));
+  if (!ends_well) file += extension;
   return file.lexically_normal();
 }
 
 void draw_save_dialog(Panel& panel) {
   std::optional<SaveTarget>& target = panel.state.save_as;
-  const SavedWords words = words_of(target ? target->kind : SavedKind::scene);
-  if (!begin_dialog(panel, words.title, target.has_value(), 520)) return;
+  const SavedFormat& format = format_of(target ? target->kind : SavedKind::scene);
+  if (!begin_dialog(panel, format.title, target.has_value(), 520)) return;
   name_list(panel, *target);
   ImGui::SetNextItemWidth(-FLT_MIN);
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
@@ -122,12 +94,13 @@ void draw_save_dialog(Panel& panel) {
   const std::filesystem::path file = file_of(*target);
   hint(panel, named ? file.string() : target->folder.string());
   tag_last_item(panel.tags, "save/path", file.string());
-  if (target->kind == SavedKind::exported) export_hint(panel);
+  if (target->kind == SavedKind::exported)
+    for (const std::string& line : panel.input.export_hints) hint(panel, line);
   if (target->kind == SavedKind::plots) hint(panel, "Values of all steps: .csv; picture of the plots: .png");
   ImGui::Spacing();
   const bool pressed = text_button(panel, "save/save", "Save", kButtonWidth * ui_scale(panel));
   const bool saved = (entered || pressed) && named;
-  if (saved) issue(panel, {.id = words.save, .path = file});
+  if (saved) issue(panel, {.name = command_info(format.dialog, panel).with_path, .path = file});
   ImGui::SameLine();
   const bool cancelled =
       text_button(panel, "save/cancel", "Cancel", kButtonWidth * ui_scale(panel)) || escape_pressed() || left;
@@ -151,7 +124,7 @@ void draw_replacement_dialog(Panel& panel) {
   ImGui::SameLine();
   const bool cancelled = text_button(panel, "replace/cancel", "Cancel", width) || escape_pressed();
   const std::filesystem::path file = replacement->command.path;
-  if (cancelled && !file.empty()) issue(panel, {.id = dialog_of(replacement->command.id), .path = file});
+  if (cancelled && !file.empty()) issue(panel, {.name = dialog_of(replacement->command.name, panel), .path = file});
   if (cancelled && file.empty()) panel.state.after_save.reset();
   if (agreed || cancelled) replacement.reset();
   close(agreed || cancelled);
@@ -160,7 +133,7 @@ void draw_replacement_dialog(Panel& panel) {
 void draw_unsaved_dialog(Panel& panel) {
   std::optional<Command>& command = panel.state.unsaved;
   if (!begin_dialog(panel, "Unsaved edits", command.has_value(), 480)) return;
-  ImGui::TextWrapped("%s would discard them.", command->id == CommandId::quit ? "Quitting" : "Opening another scene");
+  ImGui::TextWrapped("%s would discard them.", std::string(command_info(command->name, panel).leaves).c_str());
   ImGui::Spacing();
   const float width = kButtonWidth * ui_scale(panel);
   const bool saved = text_button(panel, "unsaved/save", "Save", width);
@@ -170,7 +143,7 @@ void draw_unsaved_dialog(Panel& panel) {
   const bool cancelled = text_button(panel, "unsaved/cancel", "Cancel", width) || escape_pressed();
   if (saved) {
     panel.state.after_save = command;
-    issue(panel, {.id = CommandId::save});
+    issue(panel, {.name = "file.save"});
   } else if (discarded) {
     command->discard_edits = true;
     issue(panel, *command);
@@ -187,13 +160,13 @@ void draw_recovery_dialog(Panel& panel) {
   tag_last_item(panel.tags, "left_edits/text", edits);
   ImGui::Spacing();
   const float width = kButtonWidth * ui_scale(panel);
-  std::optional<CommandId> answer;
-  if (text_button(panel, "left_edits/recover", "Recover", width)) answer = CommandId::recover;
+  std::optional<std::string_view> answer;
+  if (text_button(panel, "left_edits/recover", "Recover", width)) answer = "file.recover";
   ImGui::SameLine();
-  if (text_button(panel, "left_edits/discard", "Discard", width)) answer = CommandId::discard_copy;
+  if (text_button(panel, "left_edits/discard", "Discard", width)) answer = "file.discard_copy";
   ImGui::SameLine();
-  if (text_button(panel, "left_edits/later", "Ask later", width) || escape_pressed()) answer = CommandId::leave_copy;
-  if (answer) issue(panel, {.id = *answer});
+  if (text_button(panel, "left_edits/later", "Ask later", width) || escape_pressed()) answer = "file.leave_copy";
+  if (answer) issue(panel, {.name = *answer});
   close(answer.has_value());
 }
 

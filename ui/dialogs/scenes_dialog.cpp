@@ -170,7 +170,7 @@ void draw_scenes_dialog(Panel& panel) {
   ImGui::SameLine();
   const bool cancelled =
       text_button(panel, "scenes/cancel", "Cancel", width) || ImGui::IsKeyPressed(key::kEscape, false);
-  if (picked) issue(panel, {.id = CommandId::open, .path = picked->file});
+  if (picked) issue(panel, {.name = "file.open_path", .path = picked->file});
   if (other) panel.state.show_open = true;
   if (picked || other || cancelled) {
     browser = {};

@@ -16,7 +16,7 @@ void draw_steps_dialog(Panel& panel) {
                     (ImGui::IsKeyPressed(key::kEnter, false) && panel.state.field_note.tag.empty());
   ImGui::SameLine();
   const bool cancelled = text_button(panel, "steps/cancel", "Cancel", width) || escape_pressed();
-  if (made) issue(panel, {.id = CommandId::make_steps, .step = *count});
+  if (made) issue(panel, {.name = "simulation.make_steps", .step = *count});
   if (made || cancelled) {
     count.reset();
     ImGui::CloseCurrentPopup();

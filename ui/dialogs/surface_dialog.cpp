@@ -21,7 +21,7 @@ void method_row(Panel& panel, MeshingMethod& method) {
 }
 
 void fill(Panel& panel) {
-  issue(panel, {.id = CommandId::add_surface});
+  issue(panel, {.name = "file.fill_surface"});
   panel.state.show_surface = false;
 }
 

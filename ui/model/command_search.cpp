@@ -47,16 +47,16 @@ std::optional<int> match_score(std::string_view text, std::string_view query) {
   return score;
 }
 
-std::vector<const CommandInfo*> matching_commands(std::string_view query) {
+std::vector<const CommandInfo*> matching_commands(std::span<const CommandInfo> commands, std::string_view query) {
   std::vector<std::pair<int, const CommandInfo*>> scored;
-  for (const CommandInfo& info : command_registry()) {
+  for (const CommandInfo& info : commands) {
     if (info.menu == Menu::none) continue;
     if (const std::optional<int> score = command_score(info, query)) scored.emplace_back(*score, &info);
   }
   std::ranges::stable_sort(scored, [](const auto& a, const auto& b) { return a.first > b.first; });
-  std::vector<const CommandInfo*> commands;
-  for (const auto& [score, info] : scored) commands.push_back(info);
-  return commands;
+  std::vector<const CommandInfo*> found;
+  for (const auto& [score, info] : scored) found.push_back(info);
+  return found;
 }
 
 }  // namespace griffith::ui

@@ -13,6 +13,6 @@ namespace griffith::ui {
 std::optional<int> match_score(std::string_view text, std::string_view query);
 
 /// Returns the menu commands whose title, menu or help matches, best first; all commands if `query` is empty.
-std::vector<const CommandInfo*> matching_commands(std::string_view query);
+std::vector<const CommandInfo*> matching_commands(std::span<const CommandInfo> commands, std::string_view query);
 
 }  // namespace griffith::ui

@@ -2,33 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
-#include <vector>
-
-#include "ui/model/command_tables.h"
 
 namespace griffith::ui {
 
-std::span<const CommandInfo> command_registry() {
-  static const std::vector<CommandInfo> registry = [] {
-    std::vector<CommandInfo> all(scene_commands().begin(), scene_commands().end());
-    all.insert(all.end(), run_commands().begin(), run_commands().end());
-    return all;
-  }();
-  return registry;
-}
-
-const CommandInfo* find_command(std::string_view name) {
-  const std::span<const CommandInfo> registry = command_registry();
-  const auto found = std::ranges::find(registry, name, &CommandInfo::name);
-  return found == registry.end() ? nullptr : &*found;
-}
-
-const CommandInfo& command_info(CommandId id) {
-  const std::span<const CommandInfo> registry = command_registry();
-  const auto found = std::ranges::find(registry, id, &CommandInfo::id);
-  assert(found != registry.end());
-  return *found;
+const CommandInfo* find_command(std::span<const CommandInfo> commands, std::string_view name) {
+  const auto found = std::ranges::find(commands, name, &CommandInfo::name);
+  return found == commands.end() ? nullptr : &*found;
 }
 
 const char* menu_label(Menu menu) {

@@ -69,6 +69,8 @@ struct SaveTarget {
   std::array<char, 512> name = {};
   std::vector<std::string> existing;  ///< names of the scenes in the folder
 };
+/// Returns the extension of files of that kind: ".json".
+std::string_view extension_of(SavedKind kind);
 /// Proposes the file's folder and name.
 SaveTarget save_target(const std::filesystem::path& file, SavedKind kind = SavedKind::scene);
 /// Returns the file to write; its extension is appended where it is missing.

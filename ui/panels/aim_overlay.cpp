@@ -38,7 +38,7 @@ void aim_shot(Panel& panel, const Vec2& cursor) {
   const bool cancelled = ImGui::IsKeyPressed(key::kEscape, false), held = ImGui::IsMouseDown(ImGuiMouseButton_Right);
   if (held && !cancelled) return;
   aimed_at.reset();
-  if (!cancelled && ImGui::IsItemHovered()) issue(panel, {.id = CommandId::fire, .cursor = cursor});
+  if (!cancelled && ImGui::IsItemHovered()) issue(panel, {.name = "simulation.fire", .cursor = cursor});
 }
 
 void draw_aim(const Panel& panel) {

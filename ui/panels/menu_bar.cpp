@@ -18,7 +18,7 @@ void recent_menu(Panel& panel) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string& name = names[i];
     if (ImGui::MenuItem(name.c_str(), nullptr, files[i] == panel.input.scene_path))
-      issue(panel, {.id = CommandId::open, .path = files[i]});
+      issue(panel, {.name = "file.open_path", .path = files[i]});
     tag_last_item(panel.tags, "menu/recent/" + name, name);
   }
   ImGui::EndMenu();
@@ -31,7 +31,7 @@ void macro_menu(Panel& panel) {
   if (!open) return;
   for (const std::filesystem::path& macro : panel.input.macros) {
     const std::string name = macro.stem().string();
-    if (ImGui::MenuItem(name.c_str())) issue(panel, {.id = CommandId::play_macro, .path = macro});
+    if (ImGui::MenuItem(name.c_str())) issue(panel, {.name = "edit.play_macro", .path = macro});
     tag_last_item(panel.tags, "menu/macro/" + name, name);
   }
   ImGui::EndMenu();
@@ -40,12 +40,12 @@ void macro_menu(Panel& panel) {
 /// Draws the commands of the menu in order, with separators between groups.
 void command_items(Panel& panel, Menu menu) {
   int group = 0;
-  for (const CommandInfo& info : command_registry()) {
+  for (const CommandInfo& info : panel.input.commands) {
     if (info.menu != menu) continue;
     if (std::exchange(group, info.group) != info.group) ImGui::Separator();
     command_menu_item(panel, info, "menu/");
-    if (info.id == CommandId::open_dialog) recent_menu(panel);
-    if (info.id == CommandId::record_macro) macro_menu(panel);
+    if (info.name == "file.open") recent_menu(panel);
+    if (info.name == "edit.record_macro") macro_menu(panel);
   }
 }
 

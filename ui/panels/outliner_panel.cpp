@@ -137,7 +137,7 @@ void add_button(Panel& panel, float width) {
   tooltip("Add a body, a support, load or probe of the selected body, a projectile or a camera.");
   if (!ImGui::BeginPopup("##add")) return;
   close_on_escape();
-  for (const CommandInfo& info : command_registry())
+  for (const CommandInfo& info : panel.input.commands)
     if (info.menu == Menu::add) command_menu_item(panel, info, "outliner/");
   ImGui::EndPopup();
 }

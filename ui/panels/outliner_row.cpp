@@ -25,7 +25,7 @@ void select_piece(Panel& panel, const OutlinerRow& row) {
 }
 
 void begin_renaming(Panel& panel, const SceneEntry& entry) {
-  if (has_name(entry.kind)) issue(panel, {.id = CommandId::rename});
+  if (has_name(entry.kind)) issue(panel, {.name = "edit.rename"});
 }
 
 }  // namespace
@@ -75,22 +75,22 @@ void context_menu(Panel& panel, const OutlinerRow& row) {
   if (ImGui::IsWindowAppearing() && !is_chosen(panel, row))
     select_entries(panel.state, panel.history.scene(), {row.entry});
   close_on_escape();
-  const auto items = [&](std::initializer_list<CommandId> ids) {
-    for (const CommandId id : ids) command_menu_item(panel, command_info(id), "context/");
+  const auto items = [&](std::initializer_list<std::string_view> names) {
+    for (const std::string_view name : names) command_menu_item(panel, command_info(name, panel), "context/");
   };
-  items({CommandId::rename, CommandId::duplicate, CommandId::remove, CommandId::move_up, CommandId::move_down});
+  items({"edit.rename", "edit.duplicate", "edit.delete", "edit.move_up", "edit.move_down"});
   ImGui::Separator();
   if (row.entry.kind == EntryKind::camera) {
-    items({CommandId::look_through, CommandId::set_camera});
+    items({"view.look_through", "view.set_camera"});
   } else if (row.entry.kind == EntryKind::body) {
-    items({CommandId::toggle_hidden, CommandId::toggle_gizmo});
+    items({"view.hide", "edit.gizmo"});
     if (ImGui::BeginMenu("Add")) {
-      items({CommandId::add_support, CommandId::add_load, CommandId::add_probe});
+      items({"add.support", "add.load", "add.probe"});
       ImGui::EndMenu();
     }
   } else {
-    items({CommandId::toggle_gizmo});
-    if (row.entry.kind != EntryKind::projectile) items({CommandId::toggle_painting});
+    items({"edit.gizmo"});
+    if (row.entry.kind != EntryKind::projectile) items({"edit.paint"});
   }
   ImGui::EndPopup();
 }
@@ -169,13 +169,12 @@ bool icon_cell(Panel& panel, const OutlinerRow& row, Icon icon, const std::strin
 /// Draws the eye icon of a body: shown or hidden.
 void eye_cell(Panel& panel, const OutlinerRow& row, bool hidden) {
   const Icon icon = hidden ? Icon::closed_eye : Icon::eye;
-  if (icon_cell(panel, row, icon, row.tag + "/eye", hidden ? "hidden" : "shown"))
-    issue(panel, {.id = CommandId::toggle_hidden});
+  if (icon_cell(panel, row, icon, row.tag + "/eye", hidden ? "hidden" : "shown")) issue(panel, {.name = "view.hide"});
   tooltip(hidden ? "Hidden. Click to show it." : "Shown. Click to hide it; it is still simulated.");
 }
 
 void camera_cell(Panel& panel, const OutlinerRow& row) {
-  if (icon_cell(panel, row, Icon::frame, row.tag + "/look", "")) issue(panel, {.id = CommandId::look_through});
+  if (icon_cell(panel, row, Icon::frame, row.tag + "/look", "")) issue(panel, {.name = "view.look_through"});
   tooltip("Look through this camera.");
 }
 

@@ -65,11 +65,11 @@ void plots_bar(Panel& panel) {
   ImGui::SameLine();
   scale_widgets(panel);
   ImGui::SameLine();
-  ImGui::BeginDisabled(!command_enabled(CommandId::save_plots_dialog, panel));
-  if (text_button(panel, "plots/save", "Save…")) issue(panel, {.id = CommandId::save_plots_dialog});
+  ImGui::BeginDisabled(!command_enabled(command_info("file.plots", panel), panel));
+  if (text_button(panel, "plots/save", "Save…")) issue(panel, {.name = "file.plots"});
   ImGui::EndDisabled();
   ImGui::SameLine();
-  if (text_button(panel, "plots/close", "Close")) issue(panel, {.id = CommandId::toggle_plots});
+  if (text_button(panel, "plots/close", "Close")) issue(panel, {.name = "view.plots"});
 }
 
 /// Returns the index of a recorded step; empty if it was not recorded.
@@ -114,7 +114,7 @@ void follow_mouse(Panel& panel, const PlotView& view) {
   const bool held = ImGui::IsItemActive();
   if (!held && !ImGui::IsItemHovered()) return;
   const std::int64_t pointed = view.step_at(static_cast<double>(ImGui::GetIO().MousePos.x));
-  if (held && pointed != panel.input.frame.step) issue(panel, {.id = CommandId::go_to_step, .step = pointed});
+  if (held && pointed != panel.input.frame.step) issue(panel, {.name = "time.step", .step = pointed});
   values_tooltip(panel, pointed);
 }
 

@@ -144,8 +144,8 @@ void draw_projectile_panel(Panel& panel) {
   }
   hint(panel, "Right-click in the view, or press F, to fire at the cursor.");
   if (!panel.state.last_shot) return;
-  const CommandInfo& keep = command_info(CommandId::keep_shot);
-  if (text_button(panel, "projectile/keep", keep.label.data())) issue(panel, {.id = keep.id});
+  const CommandInfo& keep = command_info("simulation.keep_shot", panel);
+  if (text_button(panel, "projectile/keep", keep.label.data())) issue(panel, {.name = keep.name});
   tooltip(keep.hint);
 }
 

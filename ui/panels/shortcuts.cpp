@@ -5,21 +5,21 @@
 namespace griffith::ui {
 namespace {
 
-/// True if the shortcut was pressed. `may_repeat`: allows repetition of a held key, for commands that repeat.
-bool shortcut_pressed(const Shortcut& shortcut, bool may_repeat) {
+/// True if the command's shortcut was pressed. `may_repeat`: allows repetition of a held key, if the command repeats.
+bool shortcut_pressed(const CommandInfo& info, bool may_repeat) {
   const ImGuiIO& io = ImGui::GetIO();
-  const bool repeats = may_repeat && (shortcut.key == 'N' || shortcut.key == 'Z');
+  const Shortcut& shortcut = info.shortcut;
   return shortcut.key != key::kNone && io.KeyCtrl == shortcut.ctrl && io.KeyShift == shortcut.shift && !io.KeyAlt &&
-         ImGui::IsKeyPressed(shortcut.key, repeats);
+         ImGui::IsKeyPressed(shortcut.key, may_repeat && info.repeats);
 }
 
 /// Issues a command of a shortcut. A dialog or text field blocks all but those that do not affect the scene; the key of
 /// the help also closes it. During work, commands are queued in order.
-void take_order(Panel& panel, const Command& command, Dialog dialog, bool waits) {
-  if (command.id == CommandId::screenshot || command.id == CommandId::quit) return issue(panel, command);
+void take_order(Panel& panel, const CommandInfo& info, const Command& command, Dialog dialog, bool waits) {
+  if (info.in_dialogs) return issue(panel, command);
   if (ImGui::GetIO().WantTextInput) return;
   if (waits && (dialog == Dialog::work || dialog == Dialog::none)) return panel.state.waiting.push_back(command);
-  if (dialog == Dialog::none || (dialog == Dialog::help && command.id == CommandId::help)) issue(panel, command);
+  if (dialog == Dialog::none || (dialog == Dialog::help && info.name == "help.show")) issue(panel, command);
 }
 
 /// Issues one queued command per drawn frame: its work may delay the next one.
@@ -50,8 +50,8 @@ void issue_shortcuts(Panel& panel) {
   const Dialog dialog = shown_dialog(panel.state);
   const bool waits = dialog == Dialog::work || !panel.state.waiting.empty();
   if (dialog == Dialog::none) issue_waiting(panel);
-  for (const CommandInfo& info : command_registry())
-    if (shortcut_pressed(info.shortcut, !waits)) take_order(panel, {.id = info.id, .cursor = cursor}, dialog, waits);
+  for (const CommandInfo& info : panel.input.commands)
+    if (shortcut_pressed(info, !waits)) take_order(panel, info, {.name = info.name, .cursor = cursor}, dialog, waits);
 }
 
 }  // namespace griffith::ui

@@ -26,7 +26,7 @@ void problem_count(Panel& panel, float place) {
   ImGui::SameLine(place);
   ImGui::TextColored(as_vec4(palette::kWarning), "%s", text.c_str());
   tag_last_item(panel.tags, "status/problems", text);
-  if (ImGui::IsItemClicked()) issue(panel, {.id = CommandId::toggle_problems});
+  if (ImGui::IsItemClicked()) issue(panel, {.name = "view.problems"});
   tooltip(panel.input.problems.front().text);
 }
 
@@ -35,7 +35,7 @@ void recording_mark(Panel& panel, float place) {
   ImGui::SameLine(place);
   ImGui::TextColored(as_vec4(palette::kError), "%s", kRecording);
   tag_last_item(panel.tags, "status/recording", kRecording);
-  if (ImGui::IsItemClicked()) issue(panel, {.id = CommandId::record_macro});
+  if (ImGui::IsItemClicked()) issue(panel, {.name = "edit.record_macro"});
   tooltip("Click to stop recording and enter a name.");
 }
 

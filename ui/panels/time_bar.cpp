@@ -75,7 +75,7 @@ void draw_bar(Panel& panel, float width) {
   draw_ticks(panel, bar);
   list->AddLine({bar.x(now), bar.low.y}, {bar.x(now), bar.high.y}, palette::kText, 2 * scale);
   const std::int64_t pointed = bar.step_at(ImGui::GetIO().MousePos.x);
-  if (ImGui::IsItemActive() && pointed != now) issue(panel, {.id = CommandId::go_to_step, .step = pointed});
+  if (ImGui::IsItemActive() && pointed != now) issue(panel, {.name = "time.step", .step = pointed});
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
     const std::int64_t reach =
         std::max<std::int64_t>(0, std::llround(3 * scale / (bar.high.x - bar.low.x) * bar.steps));
@@ -109,7 +109,7 @@ void branch_list(Panel& panel) {
     for (int i = 0; i < static_cast<int>(time.branches.size()); ++i) {
       const std::string text = std::string(3 * static_cast<std::size_t>(depth_of(time, i)), ' ') + branch_text(time, i);
       if (ImGui::Selectable(text.c_str(), i == time.branch))
-        issue(panel, {.id = CommandId::go_to_branch, .step = time.branches[i].last_step, .branch = i});
+        issue(panel, {.name = "time.branch", .step = time.branches[i].last_step, .branch = i});
       tag_last_item(panel.tags, "time/branch/" + std::to_string(i), text);
     }
     ImGui::EndCombo();
@@ -204,9 +204,9 @@ void breakpoint_button(Panel& panel) {
 }  // namespace
 
 void draw_time_bar(Panel& panel) {
-  command_button(panel, CommandId::go_to_start, Icon::to_start, false);
+  command_button(panel, "time.start", Icon::to_start, false);
   ImGui::SameLine();
-  command_button(panel, CommandId::step_back, Icon::step_back, false);
+  command_button(panel, "time.back", Icon::step_back, false);
   ImGui::SameLine();
   const TimeView& time = panel.input.time;
   const float scale = ui_scale(panel), spacing = ImGui::GetStyle().ItemSpacing.x;
@@ -215,7 +215,7 @@ void draw_time_bar(Panel& panel) {
   const float end = 1.25f * ImGui::GetFrameHeight() + spacing;
   draw_bar(panel, std::max(40 * scale, ImGui::GetContentRegionAvail().x - branches - stop - end));
   ImGui::SameLine();
-  command_button(panel, CommandId::go_to_end, Icon::to_end, false);
+  command_button(panel, "time.end", Icon::to_end, false);
   ImGui::SameLine();
   if (branches > 0) {
     branch_list(panel);

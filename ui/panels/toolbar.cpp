@@ -14,13 +14,13 @@ void gap(const Panel& panel, float design_pixels) { ImGui::SameLine(0, design_pi
 
 void simulation_buttons(Panel& panel) {
   const bool running = panel.state.running;
-  command_button(panel, CommandId::toggle_run, running ? Icon::pause : Icon::play, false, running);
+  command_button(panel, "simulation.run", running ? Icon::pause : Icon::play, false, running);
   ImGui::SameLine();
-  command_button(panel, CommandId::step, Icon::step, true);
+  command_button(panel, "simulation.step", Icon::step, true);
   ImGui::SameLine();
-  command_button(panel, CommandId::reset, Icon::reset, true);
+  command_button(panel, "simulation.reset", Icon::reset, true);
   gap(panel, 18);
-  command_button(panel, CommandId::fire, Icon::fire, true);
+  command_button(panel, "simulation.fire", Icon::fire, true);
 }
 
 /// Draws the speed, 0.1 to 100 % of real time.
@@ -115,11 +115,11 @@ void draw_toolbar(Panel& panel) {
   if (!long_step(panel, right - spacing)) pace_warning(panel, right - spacing);
   times(panel, right - spacing);
   ImGui::SameLine(right);
-  const std::pair<CommandId, Icon> tools[] = {{CommandId::undo, Icon::undo},
-                                              {CommandId::redo, Icon::redo},
-                                              {CommandId::frame_all, Icon::frame},
-                                              {CommandId::screenshot, Icon::camera},
-                                              {CommandId::help, Icon::help}};
+  const std::pair<std::string_view, Icon> tools[] = {{"edit.undo", Icon::undo},
+                                                     {"edit.redo", Icon::redo},
+                                                     {"view.frame_all", Icon::frame},
+                                                     {"file.screenshot", Icon::camera},
+                                                     {"help.show", Icon::help}};
   for (const auto& [id, icon] : tools) {
     command_button(panel, id, icon, false);
     ImGui::SameLine();

@@ -69,7 +69,7 @@ void range_part(Panel& panel) {
   bool locked = panel.state.view.range.has_value();
   ImGui::BeginDisabled(!panel.input.legend);
   if (checkbox(panel, "view/lock_range", "Lock color range", locked)) {
-    issue(panel, {.id = CommandId::toggle_range_lock});
+    issue(panel, {.name = "view.lock_range"});
   }
   ImGui::EndDisabled();
   if (panel.state.view.range) return range_rows(panel);
@@ -94,7 +94,7 @@ void align_slice(Panel& panel, const Vec3& normal) {
 
 void slice_rows(Panel& panel) {
   bool cut = panel.state.view.slice.has_value();
-  if (checkbox(panel, "view/slice", "Slice", cut)) issue(panel, {.id = CommandId::toggle_slice});
+  if (checkbox(panel, "view/slice", "Slice", cut)) issue(panel, {.name = "view.slice"});
   if (!panel.state.view.slice) return;
   row_label(panel, "Align");
   const std::pair<const char*, Vec3> axes[] = {

@@ -48,7 +48,7 @@ void mouse_input(Panel& panel) {
   aim_shot(panel, cursor);
   const bool clicked = ImGui::IsMouseReleased(ImGuiMouseButton_Left) && ImGui::IsItemDeactivated() &&
                        io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < slack * slack && !io.KeyShift;
-  if (clicked) issue(panel, {.id = CommandId::pick, .cursor = cursor});
+  if (clicked) issue(panel, {.name = "view.pick", .cursor = cursor});
 }
 
 /// Draws a dark rounded card behind text.
@@ -99,8 +99,8 @@ void draw_stop_card(Panel& panel, ImVec2 corner, ImVec2 end) {
   tag_last_item(panel.tags, "time/stopped", reason);
   if (!can_explain) return;
   ImGui::SetCursorScreenPos({low.x + padding, low.y + padding / 2 + ImGui::GetFontSize() + 6 * scale});
-  const CommandInfo& info = command_info(CommandId::explain_holding);
-  if (text_button(panel, "time/holding", info.label.data(), 206 * scale)) issue(panel, {.id = info.id});
+  const CommandInfo& info = command_info("time.holding", panel);
+  if (text_button(panel, "time/holding", info.label.data(), 206 * scale)) issue(panel, {.name = info.name});
 }
 
 }  // namespace

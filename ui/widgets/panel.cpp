@@ -1,5 +1,7 @@
 #include "ui/widgets/panel.h"
 
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "ui/model/command_context.h"
@@ -19,7 +21,13 @@ std::string_view disabled_reason(const CommandInfo& info, const Panel& panel) {
 
 bool is_on(const CommandInfo& info, const Panel& panel) { return info.is_on && info.is_on(context_of(panel)); }
 
-bool command_enabled(CommandId id, const Panel& panel) { return disabled_reason(command_info(id), panel).empty(); }
+bool command_enabled(const CommandInfo& info, const Panel& panel) { return disabled_reason(info, panel).empty(); }
+
+const CommandInfo& command_info(std::string_view name, const Panel& panel) {
+  const CommandInfo* info = find_command(panel.input.commands, name);
+  if (!info) throw std::logic_error("there is no command " + std::string(name));
+  return *info;
+}
 
 void issue(Panel& panel, Command command) { panel.commands.push_back(std::move(command)); }
 

@@ -20,6 +20,7 @@ namespace griffith::ui {
 
 /// Input of the panels, new for every drawn frame.
 struct EditorInput {
+  std::span<const CommandInfo> commands;  ///< all commands, in the order of menus and help
   Frame frame;
   Fonts fonts;
   ImTextureID picture = nullptr;                        ///< picture of the scene, bottom row first
@@ -35,6 +36,7 @@ struct EditorInput {
   std::span<const std::filesystem::path> recent_files;  ///< recently opened or saved, newest first
   std::span<const std::filesystem::path> macros;        ///< macros that can be played
   std::span<const SceneProblem> problems;               ///< problems of the current scene
+  std::span<const std::string> export_hints;            ///< formats of exported runs
   std::filesystem::path scene_path;                     ///< file of the edited scene, may be empty
   TimeView time;                                        ///< the recorded past
   std::span<const RunSeries> series;                    ///< series that can be plotted
@@ -69,7 +71,9 @@ std::string_view disabled_reason(const CommandInfo& info, const Panel& panel);
 /// True if the state that the command toggles is on.
 bool is_on(const CommandInfo& info, const Panel& panel);
 /// True if the command is enabled.
-bool command_enabled(CommandId id, const Panel& panel);
+bool command_enabled(const CommandInfo& info, const Panel& panel);
+/// Returns the command of that name, which must exist.
+const CommandInfo& command_info(std::string_view name, const Panel& panel);
 
 /// Issues the command; if it is disabled, the program shows the reason.
 void issue(Panel& panel, Command command);

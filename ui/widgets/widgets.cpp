@@ -99,16 +99,16 @@ void field_tooltip(const Panel& panel, std::string_view tag, std::string_view te
   tag_last_item(panel.tags, "field_note", note.text);
 }
 
-void command_button(Panel& panel, CommandId id, Icon icon, bool with_label, bool lit) {
-  const CommandInfo& info = command_info(id);
-  const bool enabled = command_enabled(id, panel);
+void command_button(Panel& panel, std::string_view name, Icon icon, bool with_label, bool lit) {
+  const CommandInfo& info = command_info(name, panel);
+  const bool enabled = command_enabled(info, panel);
   const float size = ImGui::GetFrameHeight(), scale = ui_scale(panel);
   const std::string label(info.label);
   const float text_width = with_label ? ImGui::CalcTextSize(label.c_str()).x + 8 * scale : 0;
   ImGui::BeginDisabled(!enabled);
   ImGui::PushStyleColor(ImGuiCol_Button, lit ? palette::kAccentDim : palette::kField);
   const std::string item = "##" + std::string(info.name);
-  if (ImGui::Button(item.c_str(), {size * 1.25f + text_width, size})) issue(panel, {.id = id});
+  if (ImGui::Button(item.c_str(), {size * 1.25f + text_width, size})) issue(panel, {.name = info.name});
   ImGui::PopStyleColor();
   tag_last_item(panel.tags, "command/" + std::string(info.name), label, enabled);
   const ImVec2 corner = ImGui::GetItemRectMin();
@@ -126,9 +126,9 @@ void command_button(Panel& panel, CommandId id, Icon icon, bool with_label, bool
 }
 
 void command_menu_item(Panel& panel, const CommandInfo& info, const char* tag_prefix) {
-  const bool enabled = command_enabled(info.id, panel);
+  const bool enabled = command_enabled(info, panel);
   const std::string label(info.label), shortcut = shortcut_text(info.shortcut);
-  if (ImGui::MenuItem(label.c_str(), shortcut.c_str(), is_on(info, panel), enabled)) issue(panel, {.id = info.id});
+  if (ImGui::MenuItem(label.c_str(), shortcut.c_str(), is_on(info, panel), enabled)) issue(panel, {.name = info.name});
   tag_last_item(panel.tags, tag_prefix + std::string(info.name), label, enabled);
   tooltip(disabled_reason(info, panel));
 }

@@ -52,7 +52,7 @@ void close_on_escape();
 bool begin_combo(const char* item, const char* preview);
 
 /// Draws a button for a registered command, tagged "command/<name>"; grayed out while the command is disabled.
-void command_button(Panel& panel, CommandId id, Icon icon, bool with_label, bool lit = false);
+void command_button(Panel& panel, std::string_view name, Icon icon, bool with_label, bool lit = false);
 
 /// Draws an entry for a command in the current menu, tagged with the prefix and the command's name.
 void command_menu_item(Panel& panel, const CommandInfo& info, const char* tag_prefix);

@@ -1,0 +1,159 @@
+#include "app/editor/editor.h"
+#include "app/editor/editor_commands.h"
+#include "app/editor/entry_edits.h"
+
+namespace griffith::app {
+using ui::CommandArgument;
+using ui::CommandContext;
+using ui::Menu;
+namespace key = ui::key;
+
+namespace {
+
+std::string_view no_past(const CommandContext& context) {
+  return unless(context.step > context.time.first_step, "This is the first recorded step.");
+}
+
+std::string_view no_future(const CommandContext& context) {
+  return unless(context.step < context.time.last_step, "This is the last recorded step.");
+}
+
+std::string_view one_branch_alone(const CommandContext& context) {
+  return unless(context.time.branches.size() > 1,
+                "There is only one branch; go back and change something to start another.");
+}
+
+std::string_view not_stopped_before_a_crack(const CommandContext& context) {
+  return unless(context.state.stop && context.state.stop->node.valid(),
+                "The simulation has not stopped before a crack; use Stop before… first.");
+}
+
+std::string_view nothing_fired(const CommandContext& context) {
+  return unless(context.state.last_shot.has_value(), "No shot has been fired since the last one was added.");
+}
+
+/// The last edits belong to the time that is left.
+RunController& run_to_travel(Editor& e) {
+  e.builder().follow_edits();
+  return e.run();
+}
+
+const EditorCommand kRunCommands[] = {
+    {{.name = "simulation.run",
+      .label = "Run",
+      .hint = "Run or pause",
+      .menu = Menu::simulation,
+      .shortcut = {key::kSpace},
+      .is_on = [](const CommandContext& context) { return context.state.running; },
+      .recorded = false},
+     [](Editor& e, const ui::Command&) { e.run().toggle(); }},
+    {{.name = "simulation.step",
+      .label = "Step",
+      .hint = "Pause and advance by one time step",
+      .menu = Menu::simulation,
+      .shortcut = {'N'},
+      .repeats = true},
+     [](Editor& e, const ui::Command&) { e.run().step_once(); }},
+    {{.name = "simulation.steps",
+      .label = "Steps…",
+      .hint = "Advance by a number of time steps as fast as possible",
+      .menu = Menu::simulation,
+      .shortcut = {'N', false, true}},
+     [](Editor& e, const ui::Command&) { e.state().asked_steps = 10; }},
+    {{.name = "simulation.reset",
+      .label = "Reset",
+      .hint = "Restart from the scene as edited",
+      .menu = Menu::simulation,
+      .shortcut = {'R'}},
+     [](Editor& e, const ui::Command&) { e.builder().rebuild(); }},
+    {{.name = "simulation.fire",
+      .label = "Fire",
+      .hint = "Fire the projectile at the cursor; or right-click in the view",
+      .menu = Menu::simulation,
+      .shortcut = {'F'},
+      .argument = CommandArgument::cursor},
+     [](Editor& e, const ui::Command& c) {
+       e.run().fire(e.viewport().aimed_at(e.run().frame(), e.document().scene(), c.cursor).shot);
+     }},
+    {{.name = "simulation.keep_shot",
+      .label = "Add last shot to scene",
+      .hint = "Add the last shot to the scene and restart",
+      .menu = Menu::simulation,
+      .disabled_reason = nothing_fired},
+     [](Editor& e, const ui::Command&) { keep_shot(e.document().history(), e.state()); }},
+    {{.name = "time.back",
+      .label = "Step back",
+      .hint = "Go back by one time step; repeated steps are identical to the bit",
+      .menu = Menu::simulation,
+      .group = 1,
+      .shortcut = {key::kLeft},
+      .disabled_reason = no_past},
+     [](Editor& e, const ui::Command&) {
+       RunController& run = run_to_travel(e);
+       run.go_to_nearest(run.timeline().step() - 1);
+     }},
+    {{.name = "time.start",
+      .label = "Go to start",
+      .hint = "Go to the first recorded step",
+      .menu = Menu::simulation,
+      .group = 1,
+      .disabled_reason = no_past},
+     [](Editor& e, const ui::Command&) {
+       RunController& run = run_to_travel(e);
+       run.go_to_nearest(run.timeline().first_step());
+     }},
+    {{.name = "time.end",
+      .label = "Go to end",
+      .hint = "Go to the newest step of the branch",
+      .menu = Menu::simulation,
+      .group = 1,
+      .disabled_reason = no_future},
+     [](Editor& e, const ui::Command&) {
+       RunController& run = run_to_travel(e);
+       run.go_to_nearest(run.timeline().last_step());
+     }},
+    {{.name = "time.holding",
+      .label = "What would have held it?",
+      .hint = "Find the strength, speed or thickness at which this node would hold, by repeating the step and the run",
+      .menu = Menu::simulation,
+      .group = 1,
+      .disabled_reason = not_stopped_before_a_crack},
+     [](Editor& e, const ui::Command&) {
+       e.builder().follow_edits();
+       e.analysis().explain_holding();
+     }},
+    {{.name = "time.compare",
+      .label = "Compare branches",
+      .hint = "Show another branch at the same step next to this one, and where they first differ",
+      .menu = Menu::simulation,
+      .group = 1,
+      .shortcut = {'B'},
+      .disabled_reason = one_branch_alone,
+      .is_on = [](const CommandContext& context) { return context.state.comparison.branch.has_value(); }},
+     [](Editor& e, const ui::Command&) { e.analysis().toggle_comparison(); }},
+    {{.name = "simulation.make_steps",
+      .label = "Advance by steps",
+      .hint = "Advance by a number of time steps, then stop",
+      .argument = CommandArgument::step,
+      .recorded = false},
+     [](Editor& e, const ui::Command& c) { e.run().make_steps(c.step); }},
+    {{.name = "time.step",
+      .label = "Go to step",
+      .hint = "Go to a step of the recorded past",
+      .argument = CommandArgument::step},
+     [](Editor& e, const ui::Command& c) {
+       RunController& run = run_to_travel(e);
+       run.go_to(run.timeline().branch(), c.step);
+     }},
+    {{.name = "time.branch",
+      .label = "Go to branch",
+      .hint = "Go to the end of another branch",
+      .argument = CommandArgument::branch_and_step},
+     [](Editor& e, const ui::Command& c) { run_to_travel(e).go_to(c.branch, c.step); }},
+};
+
+}  // namespace
+
+std::span<const EditorCommand> run_commands() { return kRunCommands; }
+
+}  // namespace griffith::app
