@@ -53,4 +53,16 @@ Vec3 corner_force(const RestElement& rest, const ElementState& state, int corner
 double energy_release_rate(const TetMesh& mesh, NodeId node, std::span<const Corners> star,
                            std::span<const Vec3> forces, const Vec3& normal, const Vec3& offset = Vec3::Zero());
 
+/// Advance of a crack through a node of its front.
+struct CrackAdvance {
+  Vec3 normal = Vec3::UnitX();  ///< of its plane
+  double energy_release = 0;    ///< [J/m²]
+};
+
+/// Returns the advance with the higher energy release rate: across the plane with `normal`, or straight on along the
+/// open faces at the node if these are pulled apart, not sheared, and that releases clearly more. Beside a slit in a
+/// bent bar the largest tension is along the slit, and a plane across it releases nothing.
+CrackAdvance best_advance(const TetMesh& mesh, NodeId node, std::span<const Corners> star, std::span<const Vec3> forces,
+                          const Vec3& normal, const Vec3& offset);
+
 }  // namespace griffith

@@ -51,8 +51,9 @@ Scene pulled_bar(BoxPattern pattern, int cells, const Vec3& degrees) {
   return scene;
 }
 
-/// The unit normal of the plane that fits best through the crack's faces, in rest space.
+/// The unit normal of the plane that fits best through the faces of the crack that parted the bar, in rest space.
 Vec3 crack_normal(const Frame& frame, double half_length) {
+  const double start = frame.crack_events.back().rest_position.x();
   std::vector<Vec3> points;
   for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet)
     for (int face = 0; face < 4; ++face) {
@@ -60,7 +61,8 @@ Vec3 crack_normal(const Frame& frame, double half_length) {
       Vec3 middle = Vec3::Zero();
       for (int corner : kTetFaces[face]) middle += frame.nodes.rest_positions[frame.elements.tets[tet][corner]] / 3;
       // Surfaces of the bar lie at its border.
-      if (middle.tail<2>().cwiseAbs().maxCoeff() < 0.49 && std::abs(middle.x()) < 0.99 * half_length)
+      if (middle.tail<2>().cwiseAbs().maxCoeff() < 0.49 && std::abs(middle.x()) < 0.99 * half_length &&
+          std::abs(middle.x() - start) < 0.25)
         points.push_back(middle);
     }
   Vec3 mean = Vec3::Zero();

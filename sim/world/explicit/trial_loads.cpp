@@ -94,7 +94,7 @@ double TrialLoads::energy_release(int index, const Vec3& normal) const {
         corner_force(rest_elements_[slot], states_[slot], local_corner(world_.mesh, parts_.tets[slot.index()], node)));
   }
   const Vec3 offset = states_[stars_[index].front().index()].frame * world_.nodes.path_offsets[node];
-  return energy_release_rate(world_.mesh, node, star, forces, normal, offset);
+  return best_advance(world_.mesh, node, star, forces, normal, offset).energy_release;
 }
 
 Corners TrialLoads::corners(int slot) const {

@@ -32,9 +32,9 @@ DirectionalStrength directional_strength_at(const WorldState& world, const Separ
   return weakness ? strength_at(input, node, *weakness) : DirectionalStrength();
 }
 
-/// Returns the energy release rate of a crack that advances across a plane through a node of its front [J/m²]. Openings
-/// of a scaled body are 1/f times as large.
-double energy_release_at(const WorldState& world, NodeId node, const Vec3& normal) {
+/// Returns the best advance of a crack through a node of its front, across a plane or straight on. Openings of a scaled
+/// body are 1/f times as large.
+CrackAdvance advance_at(const WorldState& world, NodeId node, const Vec3& normal) {
   std::vector<Corners> star;
   std::vector<Vec3> forces;
   for (const TetId tet : world.mesh->stars[node]) {
@@ -43,8 +43,9 @@ double energy_release_at(const WorldState& world, NodeId node, const Vec3& norma
                                   local_corner(world.mesh, tet, node)));
   }
   const Body& body = body_at(world, node);
-  return (body.explicit_state ? body.explicit_state->similarity : 1) *
-         energy_release_rate(world.mesh, node, star, forces, normal, path_offset_at(world, node));
+  CrackAdvance advance = best_advance(world.mesh, node, star, forces, normal, path_offset_at(world, node));
+  if (body.explicit_state) advance.energy_release *= body.explicit_state->similarity;
+  return advance;
 }
 
 /// Utilization below which a node is not worth averaging.
@@ -84,8 +85,10 @@ void take_load(const WorldState& world, const SeparationInput& input, TensionZon
   separation.utilization = average_tension(world, input, zones, node, plane.stress, whole, separation);
   if (world.nodes.at_crack_front[node] != 0) {
     separation.fracture_energy = fracture_energy(material, fraction);
-    separation.energy_release = energy_release_at(world, node, plane.normal);
+    const CrackAdvance advance = advance_at(world, node, plane.normal);
+    separation.energy_release = advance.energy_release;
     const double by_energy = std::sqrt(separation.energy_release / separation.fracture_energy);
+    if (by_energy > separation.utilization) separation.direction = advance.normal;
     separation.utilization = std::max(separation.utilization, by_energy);
   }
   if (separation.stress > 0 && separation.utilization > 0 && separation.utilization != separation.stress / whole)
