@@ -172,7 +172,7 @@ def weak_walls():
             "The shot's momentum moves a heavy wall less, so it bends less. (The first impact's stress grows as √ρ, but "
             'bending breaks the wall.)'),
         row('tensile strength', 9, 'kPa', 'tensile_strength', (40, 60, 90), 'It is the resistance.'),
-        row('fracture toughness', 9, 'kPa√m', 'fracture_toughness', (5, 15, 45),
+        row('fracture toughness', 9, 'kPa√m', 'fracture_toughness', (15, 30, 45),
             'Cracks start at the same load, then stop sooner. Where elements are smaller than (K_Ic/σ_t)², the strength decides '
             'at the front as well.'),
         row('separation toughness', 15, 'kN', 'separation_toughness', (15, 30, 60),

@@ -55,7 +55,7 @@ double energy_release_rate(const TetMesh& mesh, NodeId node, std::span<const Cor
 
 /// Advance of a crack through a node of its front.
 struct CrackAdvance {
-  Vec3 normal = Vec3::UnitX();  ///< of its plane
+  Vec3 normal = Vec3::UnitX();  ///< normal of its plane
   double energy_release = 0;    ///< [J/m²]
 };
 

@@ -179,8 +179,8 @@ void describe(Archive& archive, ParabolicStress& stress) {
 
 template <class Archive>
 void describe(Archive& archive, UniformStrain& uniform) {
-  archive.field("strain", uniform.strain, between(-0.1, 0.1, "-"), "Strain along x, y, z of the body's rest space");
-  archive.field("shear", uniform.shear, between(-0.1, 0.1, "-"), "Components yz, xz, xy of the strain tensor");
+  archive.field("strain", uniform.strain, between(-0.02, 0.02, "-"), "Strain along x, y, z of the body's rest space");
+  archive.field("shear", uniform.shear, between(-0.02, 0.02, "-"), "Components yz, xz, xy of the strain tensor");
 }
 
 template <class Archive>

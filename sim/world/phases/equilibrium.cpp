@@ -7,6 +7,7 @@
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/element_states.h"
 #include "sim/world/energy/energy_phase.h"
+#include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/motion_phase.h"
 #include "sim/world/world_state.h"
 
@@ -68,6 +69,23 @@ void settle(WorldState& world, Body& body, const StaticProblem& problem, const M
   world.report.unconverged_solves += !report.converged;
 }
 
+/// True if a body has no equilibrium near its place: one that hangs by a node, or that has buckled.
+bool has_run_away(const WorldState& world, const Body& body, const BodySnapshot& before) {
+  constexpr double kFar = 100;  // extents
+  const double far = kFar * body.extent;
+  for (std::size_t i = 0; i < body.nodes.size(); ++i)
+    if (!((world.nodes.positions[body.nodes[i]] - before.positions[i]).norm() < far)) return true;
+  return std::ranges::any_of(body.edges, [&](EdgeId edge) { return !(world.edges.offsets[edge].norm() < far); });
+}
+
+/// Puts a body without equilibrium back; its solve counts as unconverged.
+void put_back(WorldState& world, Body& body, const BodySnapshot& before) {
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) world.nodes.positions[body.nodes[i]] = before.positions[i];
+  for (std::size_t i = 0; i < body.edges.size(); ++i) world.edges.offsets[body.edges[i]] = before.offsets[i];
+  update_motion(world, body);
+  update_elements(world, body);
+}
+
 bool has_residual_stress(const WorldState& world, const Body& body) {
   return world.model->scene.bodies[body.scene_body].residual_stress.has_value();
 }
@@ -95,6 +113,7 @@ void find_equilibrium(WorldState& world, double time, double displacement_time,
     const BodySnapshot before = snapshot(world, body);
     const std::vector<Mat3> stresses = stresses_of(world, body);
     settle(world, body, problem_of(world, body, displacements, loads, pressed[body.id]), monitor);
+    if (has_run_away(world, body, before)) put_back(world, body, before);
     world.energy += spent_in_equilibrium(world, body, before, stresses, displacement_time);
     freeze_if_broken_down(world, body);
   }
