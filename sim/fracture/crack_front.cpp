@@ -136,12 +136,12 @@ Vec3 corner_force(const RestElement& rest, const ElementState& state, int corner
   return -rest.volume * Vec3(traction[0], traction[1], traction[2]);
 }
 
-double energy_release_rate(const TetMesh& mesh, NodeId node, std::span<const Corners> star,
-                           std::span<const Vec3> forces, const Vec3& normal, const Vec3& offset) {
+namespace {
+
+/// As energy_release_rate(), with the open faces at the node and the sides of the crack along the plane.
+double release_between(const TetMesh& mesh, NodeId node, std::span<const Corners> star, std::span<const Vec3> forces,
+                       const Vec3& normal, std::span<const OpenFace> faces, std::span<const std::uint8_t> above) {
   const std::vector<TetId>& tets = mesh.stars[node];
-  const std::vector<OpenFace> faces = open_faces_at(mesh, std::span(&node, 1));
-  if (faces.empty()) return 0;
-  const std::vector<std::uint8_t> above = sides_along(mesh, node, star, normal, offset, faces);
   Vec3 area = linked_area(mesh, node, above), opening = Vec3::Zero();
   double weight = 0;
   for (const OpenFace& face : faces) {
@@ -161,21 +161,38 @@ double energy_release_rate(const TetMesh& mesh, NodeId node, std::span<const Cor
   return std::max(0.0, 0.5 * reaction(mesh, tets, forces, above).dot(opening) / (weight * area.norm()));
 }
 
+/// Returns the unit normal of the open faces at a node, as they are now.
+Vec3 normal_of_faces(const TetMesh& mesh, NodeId node, std::span<const Corners> star, std::span<const OpenFace> faces) {
+  Vec3 sum = Vec3::Zero();
+  for (const OpenFace& face : faces) {
+    const Vec3 out = out_of(star[index_in(mesh.stars[node], face.first)], face.first_corners);
+    sum += sum.dot(out) < 0 ? Vec3(-out) : out;
+  }
+  return sum.normalized();
+}
+
+}  // namespace
+
+double energy_release_rate(const TetMesh& mesh, NodeId node, std::span<const Corners> star,
+                           std::span<const Vec3> forces, const Vec3& normal, const Vec3& offset) {
+  const std::vector<OpenFace> faces = open_faces_at(mesh, std::span(&node, 1));
+  if (faces.empty()) return 0;
+  return release_between(mesh, node, star, forces, normal, faces, sides_along(mesh, node, star, normal, offset, faces));
+}
+
 CrackAdvance best_advance(const TetMesh& mesh, NodeId node, std::span<const Corners> star, std::span<const Vec3> forces,
                           const Vec3& normal, const Vec3& offset) {
   constexpr double kClearly = 1.25;  // rates of single nodes scatter by 15 % in each direction
   constexpr double kOpening = 0.9;   // cosine of 26° between force and normal: sheared cracks kink
-  const CrackAdvance across{normal, energy_release_rate(mesh, node, star, forces, normal, offset)};
-  Vec3 sum = Vec3::Zero();
-  for (const OpenFace& face : open_faces_at(mesh, std::span(&node, 1))) {
-    const Vec3 out = out_of(star[index_in(mesh.stars[node], face.first)], face.first_corners);
-    sum += sum.dot(out) < 0 ? Vec3(-out) : out;
-  }
-  if (sum.isZero(0)) return across;
-  const Vec3 straight = sum.normalized();
-  const Vec3 pull = reaction(mesh, mesh.stars[node], forces, sides_of_crack(mesh, node, star, straight, offset));
+  const std::vector<OpenFace> faces = open_faces_at(mesh, std::span(&node, 1));
+  if (faces.empty()) return {normal, 0};
+  const auto sides = [&](const Vec3& plane) { return sides_along(mesh, node, star, plane, offset, faces); };
+  const CrackAdvance across{normal, release_between(mesh, node, star, forces, normal, faces, sides(normal))};
+  const Vec3 straight = normal_of_faces(mesh, node, star, faces);
+  const std::vector<std::uint8_t> above = sides(straight);
+  const Vec3 pull = reaction(mesh, mesh.stars[node], forces, above);
   if (pull.dot(straight) < kOpening * pull.norm()) return across;
-  const double rate = energy_release_rate(mesh, node, star, forces, straight, offset);
+  const double rate = release_between(mesh, node, star, forces, straight, faces, above);
   return rate > kClearly * across.energy_release ? CrackAdvance{straight, rate} : across;
 }
 

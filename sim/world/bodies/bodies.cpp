@@ -5,6 +5,7 @@
 
 #include "sim/core/parallel.h"
 #include "sim/elasticity/element.h"
+#include "sim/fracture/crack_front.h"
 #include "sim/fracture/resistance.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/collision_shape.h"
@@ -195,11 +196,8 @@ double depth_of(const WorldState& world, const Body& body) {
   for (const TetId tet : body.tets) volume += world.elements.rest_elements[tet].volume;
   for (const auto& [tet, face] : body.surface) {
     const std::array<int, 3>& corners = kTetFaces[face];
-    const auto place = [&](int i) -> const Vec3& {
-      return world.mesh->rest_positions[world.mesh->tets[tet][corners[i]]];
-    };
-    const Vec3 normal = (place(1) - place(0)).cross(place(2) - place(0));
-    if (!is_continued(world, tet, corners, normal.normalized())) area += normal.norm() / 2;
+    const Vec3 third = third_of_face(world.mesh, tet, corners);
+    if (!is_continued(world, tet, corners, third.normalized())) area += 3 * third.norm();
   }
   return area > 0 ? volume / area : std::numeric_limits<double>::infinity();
 }
