@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "sim/world/energy/energy_phase.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {

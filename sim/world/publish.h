@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 

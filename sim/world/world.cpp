@@ -8,7 +8,6 @@
 #include "sim/world/conditions/projectiles.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/explicit/explicit_regime.h"
-#include "sim/world/hash_state.h"
 #include "sim/world/phases/contact_phase.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/equilibrium.h"
@@ -19,8 +18,9 @@
 #include "sim/world/setup/build_world.h"
 #include "sim/world/setup/check_elements.h"
 #include "sim/world/setup/residual_strains.h"
+#include "sim/world/state/hash_state.h"
+#include "sim/world/state/world_state.h"
 #include "sim/world/step.h"
-#include "sim/world/world_state.h"
 
 namespace griffith {
 

@@ -8,7 +8,7 @@
 #include "sim/scene/scene.h"
 #include "sim/world/frame.h"
 #include "sim/world/setup/in_memory_meshes.h"
-#include "sim/world/state_hashes.h"
+#include "sim/world/state/state_hashes.h"
 
 namespace griffith {
 

@@ -7,7 +7,7 @@
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/equilibrium.h"
 #include "sim/world/setup/build_world.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith::validation {
 

@@ -6,9 +6,9 @@
 #include "sim/mesh/topology.h"
 #include "sim/world/phases/subdivision.h"
 #include "sim/world/setup/build_world.h"
+#include "sim/world/state/world_state.h"
 #include "sim/world/step.h"
 #include "sim/world/world.h"
-#include "sim/world/world_state.h"
 #include "tests/world/scenes.h"
 
 namespace griffith {

@@ -13,9 +13,9 @@
 #include "sim/world/phases/motion_phase.h"
 #include "sim/world/scaled_breaks.h"
 #include "sim/world/setup/build_world.h"
+#include "sim/world/state/world_state.h"
 #include "sim/world/step_counters.h"
 #include "sim/world/world.h"
-#include "sim/world/world_state.h"
 
 namespace griffith {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "sim/core/sort_unique.h"
 #include "sim/world/phases/motion_phase.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {

@@ -12,7 +12,7 @@
 #include "sim/scene/quantities.h"
 #include "sim/world/bodies/surface_point.h"
 #include "sim/world/quantity_values.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {

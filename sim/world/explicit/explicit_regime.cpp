@@ -14,7 +14,7 @@
 #include "sim/world/phases/expected_impacts.h"
 #include "sim/world/phases/motion_phase.h"
 #include "sim/world/phases/separation_phase.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 

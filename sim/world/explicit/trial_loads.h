@@ -7,7 +7,7 @@
 
 #include "sim/explicit/explicit_bodies.h"
 #include "sim/fracture/separation_tensor.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 

@@ -20,7 +20,7 @@
 #include "sim/world/phases/rest_phase.h"
 #include "sim/world/phases/touched_body.h"
 #include "sim/world/publish.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "sim/fracture/split.h"
 #include "sim/world/phases/subdivision.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 

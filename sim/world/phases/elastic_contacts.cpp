@@ -9,7 +9,7 @@
 #include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/phases/elastic_phase.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {

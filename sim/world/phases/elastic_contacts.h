@@ -2,7 +2,7 @@
 
 #include "sim/solver/contact_problem.h"
 #include "sim/world/phases/touched_body.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 

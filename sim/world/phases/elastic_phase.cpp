@@ -11,11 +11,11 @@
 #include "sim/mesh/corner_sums.h"
 #include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/element_states.h"
 #include "sim/world/explicit/similarity.h"
 #include "sim/world/phases/explicit_phase.h"
 #include "sim/world/phases/motion_phase.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/element_states.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {

@@ -5,11 +5,11 @@
 #include "sim/core/parallel.h"
 #include "sim/solver/static_solve.h"
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/element_states.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/motion_phase.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/element_states.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {

@@ -8,9 +8,9 @@
 #include "sim/core/parallel.h"
 #include "sim/mesh/topology.h"
 #include "sim/solver/explicit_step.h"
-#include "sim/world/corners.h"
 #include "sim/world/phases/motion_phase.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/corners.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {

@@ -9,13 +9,13 @@
 #include "sim/fracture/remesh.h"
 #include "sim/fracture/split.h"
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/corners.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/phases/cracking.h"
 #include "sim/world/phases/separation_phase.h"
 #include "sim/world/phases/subdivision.h"
 #include "sim/world/setup/build_world.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/corners.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {

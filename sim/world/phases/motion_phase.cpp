@@ -13,7 +13,7 @@
 #include "sim/world/phases/contact_phase.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/turning.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {

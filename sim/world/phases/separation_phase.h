@@ -2,7 +2,7 @@
 
 #include "sim/fracture/mean_tension.h"
 #include "sim/fracture/separation_tensor.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 

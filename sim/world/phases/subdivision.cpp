@@ -6,9 +6,9 @@
 
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/corners.h"
 #include "sim/world/setup/build_world.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/corners.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {

@@ -10,7 +10,6 @@
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/bodies/collision_shape.h"
 #include "sim/world/conditions/projectiles.h"
-#include "sim/world/corners.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/phases/contact_phase.h"
 #include "sim/world/phases/elastic_phase.h"
@@ -22,7 +21,8 @@
 #include "sim/world/setup/place_splinters.h"
 #include "sim/world/setup/residual_strains.h"
 #include "sim/world/setup/shape_mesh.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/corners.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {

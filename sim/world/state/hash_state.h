@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/world/state_hashes.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/state_hashes.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 

@@ -1,4 +1,4 @@
-#include "sim/world/hash_state.h"
+#include "sim/world/state/hash_state.h"
 
 #include "sim/core/hash_bytes.h"
 

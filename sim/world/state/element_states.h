@@ -5,7 +5,7 @@
 #include <span>
 
 #include "sim/elasticity/element_batch.h"
-#include "sim/world/corners.h"
+#include "sim/world/state/corners.h"
 
 namespace griffith {
 

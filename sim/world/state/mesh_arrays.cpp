@@ -1,4 +1,4 @@
-#include "sim/world/mesh_arrays.h"
+#include "sim/world/state/mesh_arrays.h"
 
 namespace griffith {
 namespace {

@@ -24,8 +24,8 @@
 #include "sim/world/conditions/supports.h"
 #include "sim/world/energy/energy_account.h"
 #include "sim/world/frame.h"
-#include "sim/world/mesh_arrays.h"
-#include "sim/world/model.h"
+#include "sim/world/state/mesh_arrays.h"
+#include "sim/world/state/model.h"
 
 namespace griffith {
 
