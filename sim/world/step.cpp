@@ -10,6 +10,7 @@
 #include "sim/world/explicit/explicit_obstacles.h"
 #include "sim/world/explicit/explicit_regime.h"
 #include "sim/world/explicit/similarity.h"
+#include "sim/world/output/publish.h"
 #include "sim/world/phase_timer.h"
 #include "sim/world/phases/contact_phase.h"
 #include "sim/world/phases/elastic_phase.h"
@@ -20,7 +21,6 @@
 #include "sim/world/phases/motion_phase.h"
 #include "sim/world/phases/rest_phase.h"
 #include "sim/world/phases/separation_phase.h"
-#include "sim/world/publish.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {

@@ -1,4 +1,4 @@
-#include "sim/world/conditions/probes.h"
+#include "sim/world/output/probes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -11,6 +11,7 @@
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/explicit/struck_bodies.h"
+#include "sim/world/output/publish.h"
 #include "sim/world/phases/elastic_contacts.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/expected_impacts.h"
@@ -19,7 +20,6 @@
 #include "sim/world/phases/quasi_static.h"
 #include "sim/world/phases/rest_phase.h"
 #include "sim/world/phases/touched_body.h"
-#include "sim/world/publish.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {

@@ -20,10 +20,10 @@
 #include "sim/solver/rigid_motion.h"
 #include "sim/splinters/splinters.h"
 #include "sim/world/conditions/loads.h"
-#include "sim/world/conditions/probes.h"
 #include "sim/world/conditions/supports.h"
 #include "sim/world/energy/energy_account.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
+#include "sim/world/output/probes.h"
 #include "sim/world/state/mesh_arrays.h"
 #include "sim/world/state/model.h"
 

@@ -1,4 +1,4 @@
-#include "sim/world/quantity_values.h"
+#include "sim/world/output/quantity_values.h"
 
 #include <cassert>
 #include <type_traits>

@@ -1,4 +1,4 @@
-#include "sim/world/conditions/probes.h"
+#include "sim/world/output/probes.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -11,7 +11,7 @@
 #include "sim/scene/field.h"
 #include "sim/scene/quantities.h"
 #include "sim/world/bodies/surface_point.h"
-#include "sim/world/quantity_values.h"
+#include "sim/world/output/quantity_values.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {

@@ -4,7 +4,7 @@
 
 #include "sim/elasticity/principal_stress.h"
 #include "sim/fracture/separation_tensor.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith {
 

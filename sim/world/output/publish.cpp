@@ -1,4 +1,4 @@
-#include "sim/world/publish.h"
+#include "sim/world/output/publish.h"
 
 #include <algorithm>
 #include <array>

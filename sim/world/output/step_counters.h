@@ -4,7 +4,7 @@
 #include <string_view>
 #include <variant>
 
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith {
 

@@ -6,7 +6,7 @@
 #include "sim/core/linear_algebra.h"
 #include "sim/fracture/node_separation.h"
 #include "sim/scene/quantities.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith {
 

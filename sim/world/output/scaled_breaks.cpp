@@ -1,4 +1,4 @@
-#include "sim/world/scaled_breaks.h"
+#include "sim/world/output/scaled_breaks.h"
 
 #include <map>
 
