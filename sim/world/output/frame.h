@@ -19,9 +19,9 @@
 #include "sim/mesh/tet_edges.h"
 #include "sim/solver/node_constraint.h"
 #include "sim/splinters/splinters.h"
-#include "sim/world/element_choice.h"
 #include "sim/world/energy/energy_account.h"
 #include "sim/world/output/probes.h"
+#include "sim/world/setup/element_choice.h"
 
 namespace griffith {
 

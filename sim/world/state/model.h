@@ -8,7 +8,7 @@
 #include "sim/mesh/tet_mesh.h"
 #include "sim/scene/scene.h"
 #include "sim/splinters/splinters.h"
-#include "sim/world/element_choice.h"
+#include "sim/world/setup/element_choice.h"
 
 namespace griffith {
 
