@@ -10,6 +10,8 @@
 #include "sim/world/explicit/explicit_obstacles.h"
 #include "sim/world/explicit/explicit_regime.h"
 #include "sim/world/explicit/similarity.h"
+#include "sim/world/fracture/fracture_phase.h"
+#include "sim/world/fracture/separation_phase.h"
 #include "sim/world/output/publish.h"
 #include "sim/world/phase_timer.h"
 #include "sim/world/phases/contact_phase.h"
@@ -17,10 +19,8 @@
 #include "sim/world/phases/equilibrium.h"
 #include "sim/world/phases/expected_impacts.h"
 #include "sim/world/phases/explicit_phase.h"
-#include "sim/world/phases/fracture_phase.h"
 #include "sim/world/phases/motion_phase.h"
 #include "sim/world/phases/rest_phase.h"
-#include "sim/world/phases/separation_phase.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {

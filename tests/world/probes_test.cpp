@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "sim/world/phases/fracture_phase.h"
+#include "sim/world/fracture/fracture_phase.h"
 #include "sim/world/setup/build_world.h"
 #include "sim/world/state/world_state.h"
 #include "sim/world/world.h"

@@ -9,7 +9,7 @@
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/explicit/explicit_run.h"
 #include "sim/world/explicit/similarity.h"
-#include "sim/world/phases/separation_phase.h"
+#include "sim/world/fracture/separation_phase.h"
 #include "sim/world/state/element_states.h"
 #include "sim/world/state/world_state.h"
 

@@ -14,8 +14,8 @@
 #include "sim/world/explicit/explicit_run.h"
 #include "sim/world/explicit/similarity.h"
 #include "sim/world/explicit/trial_loads.h"
+#include "sim/world/fracture/separation_phase.h"
 #include "sim/world/phases/expected_impacts.h"
-#include "sim/world/phases/separation_phase.h"
 
 namespace griffith {
 namespace {

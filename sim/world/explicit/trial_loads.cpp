@@ -8,7 +8,7 @@
 #include "sim/fracture/strength_surface.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/phases/separation_phase.h"
+#include "sim/world/fracture/separation_phase.h"
 
 namespace griffith {
 

@@ -1,4 +1,4 @@
-#include "sim/world/phases/separation_phase.h"
+#include "sim/world/fracture/separation_phase.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/fracture/split.h"
-#include "sim/world/phases/subdivision.h"
+#include "sim/world/fracture/subdivision.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {

@@ -1,4 +1,4 @@
-#include "sim/world/phases/subdivision.h"
+#include "sim/world/fracture/subdivision.h"
 
 #include <Eigen/LU>
 #include <algorithm>

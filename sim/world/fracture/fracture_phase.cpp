@@ -1,4 +1,4 @@
-#include "sim/world/phases/fracture_phase.h"
+#include "sim/world/fracture/fracture_phase.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,9 @@
 #include "sim/fracture/split.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/energy/energy_phase.h"
-#include "sim/world/phases/cracking.h"
-#include "sim/world/phases/separation_phase.h"
-#include "sim/world/phases/subdivision.h"
+#include "sim/world/fracture/cracking.h"
+#include "sim/world/fracture/separation_phase.h"
+#include "sim/world/fracture/subdivision.h"
 #include "sim/world/setup/build_world.h"
 #include "sim/world/state/corners.h"
 #include "sim/world/state/world_state.h"
