@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/world/conditions/projectiles.h"
+#include "sim/world/contact/contact_phase.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/explicit/explicit_obstacles.h"
 #include "sim/world/explicit/explicit_regime.h"
@@ -14,7 +15,6 @@
 #include "sim/world/fracture/separation_phase.h"
 #include "sim/world/output/publish.h"
 #include "sim/world/phase_timer.h"
-#include "sim/world/phases/contact_phase.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/equilibrium.h"
 #include "sim/world/phases/expected_impacts.h"

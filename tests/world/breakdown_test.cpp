@@ -4,7 +4,7 @@
 
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/phases/contact_phase.h"
+#include "sim/world/contact/contact_phase.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/motion_phase.h"
 #include "sim/world/setup/build_world.h"

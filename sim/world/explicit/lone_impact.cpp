@@ -4,12 +4,12 @@
 #include <limits>
 #include <utility>
 
+#include "sim/world/contact/contact_phase.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/explicit/explicit_obstacles.h"
 #include "sim/world/explicit/explicit_regime.h"
 #include "sim/world/explicit/explicit_run.h"
 #include "sim/world/explicit/similarity.h"
-#include "sim/world/phases/contact_phase.h"
 #include "sim/world/phases/motion_phase.h"
 
 namespace griffith {

@@ -5,8 +5,8 @@
 
 #include "sim/core/parallel.h"
 #include "sim/world/conditions/loads.h"
+#include "sim/world/contact/contact_phase.h"
 #include "sim/world/explicit/similarity.h"
-#include "sim/world/phases/contact_phase.h"
 #include "sim/world/phases/rest_phase.h"
 
 namespace griffith {

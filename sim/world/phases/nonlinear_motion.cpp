@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "sim/solver/conjugate_gradient.h"
-#include "sim/world/phases/elastic_contacts.h"
+#include "sim/world/contact/elastic_contacts.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/motion_phase.h"
 

@@ -1,4 +1,4 @@
-#include "sim/world/phases/touched_body.h"
+#include "sim/world/contact/touched_body.h"
 
 #include <Eigen/LU>
 #include <algorithm>

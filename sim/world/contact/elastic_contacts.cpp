@@ -1,4 +1,4 @@
-#include "sim/world/phases/elastic_contacts.h"
+#include "sim/world/contact/elastic_contacts.h"
 
 #include <algorithm>
 #include <numeric>

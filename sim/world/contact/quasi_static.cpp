@@ -1,4 +1,4 @@
-#include "sim/world/phases/quasi_static.h"
+#include "sim/world/contact/quasi_static.h"
 
 #include <algorithm>
 #include <span>

@@ -1,4 +1,4 @@
-#include "sim/world/phases/contact_phase.h"
+#include "sim/world/contact/contact_phase.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,17 +9,17 @@
 #include "sim/solver/contact_response.h"
 #include "sim/solver/rigid_motion.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/contact/elastic_contacts.h"
+#include "sim/world/contact/face_contacts.h"
+#include "sim/world/contact/quasi_static.h"
+#include "sim/world/contact/touched_body.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/explicit/struck_bodies.h"
 #include "sim/world/output/publish.h"
-#include "sim/world/phases/elastic_contacts.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/expected_impacts.h"
-#include "sim/world/phases/face_contacts.h"
 #include "sim/world/phases/motion_phase.h"
-#include "sim/world/phases/quasi_static.h"
 #include "sim/world/phases/rest_phase.h"
-#include "sim/world/phases/touched_body.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {

@@ -1,4 +1,4 @@
-#include "sim/world/phases/face_contacts.h"
+#include "sim/world/contact/face_contacts.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/solver/contact_problem.h"
-#include "sim/world/phases/touched_body.h"
+#include "sim/world/contact/touched_body.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {
