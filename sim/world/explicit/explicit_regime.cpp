@@ -8,11 +8,11 @@
 #include "sim/world/explicit/explicit_obstacles.h"
 #include "sim/world/explicit/explicit_run.h"
 #include "sim/world/explicit/similarity.h"
-#include "sim/world/explicit/struck_bodies.h"
 #include "sim/world/fracture/cracking.h"
 #include "sim/world/fracture/separation_phase.h"
+#include "sim/world/impacts/expected_impacts.h"
+#include "sim/world/impacts/struck_bodies.h"
 #include "sim/world/phases/elastic_phase.h"
-#include "sim/world/phases/expected_impacts.h"
 #include "sim/world/phases/motion_phase.h"
 #include "sim/world/state/world_state.h"
 

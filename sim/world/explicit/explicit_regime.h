@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/explicit/obstacle.h"
-#include "sim/world/explicit/step_impacts.h"
+#include "sim/world/impacts/step_impacts.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {

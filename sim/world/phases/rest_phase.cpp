@@ -6,8 +6,8 @@
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/contact/contact_phase.h"
 #include "sim/world/energy/energy_phase.h"
-#include "sim/world/explicit/struck_bodies.h"
 #include "sim/world/fracture/separation_phase.h"
+#include "sim/world/impacts/struck_bodies.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/motion_phase.h"
 

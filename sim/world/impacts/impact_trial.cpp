@@ -1,4 +1,4 @@
-#include "sim/world/explicit/impact_trial.h"
+#include "sim/world/impacts/impact_trial.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +13,9 @@
 #include "sim/world/explicit/explicit_obstacles.h"
 #include "sim/world/explicit/explicit_run.h"
 #include "sim/world/explicit/similarity.h"
-#include "sim/world/explicit/trial_loads.h"
 #include "sim/world/fracture/separation_phase.h"
-#include "sim/world/phases/expected_impacts.h"
+#include "sim/world/impacts/expected_impacts.h"
+#include "sim/world/impacts/trial_loads.h"
 
 namespace griffith {
 namespace {

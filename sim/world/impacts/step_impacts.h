@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/world/explicit/lone_impact.h"
+#include "sim/world/impacts/lone_impact.h"
 
 namespace griffith {
 

@@ -1,4 +1,4 @@
-#include "sim/world/explicit/lone_impact.h"
+#include "sim/world/impacts/lone_impact.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "sim/world/explicit/trial_loads.h"
+#include "sim/world/impacts/trial_loads.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "sim/world/explicit/struck_bodies.h"
+#include "sim/world/impacts/struck_bodies.h"
 
 #include <algorithm>
 #include <optional>
 
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/explicit/similarity.h"
-#include "sim/world/phases/expected_impacts.h"
+#include "sim/world/impacts/expected_impacts.h"
 
 namespace griffith {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim/world/explicit/impact_trial.h"
+#include "sim/world/impacts/impact_trial.h"
 
 namespace griffith {
 

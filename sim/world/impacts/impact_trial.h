@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/world/explicit/struck_bodies.h"
+#include "sim/world/impacts/struck_bodies.h"
 
 namespace griffith {
 

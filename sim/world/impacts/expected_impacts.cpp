@@ -1,4 +1,4 @@
-#include "sim/world/phases/expected_impacts.h"
+#include "sim/world/impacts/expected_impacts.h"
 
 #include <algorithm>
 

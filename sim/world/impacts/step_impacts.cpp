@@ -1,4 +1,4 @@
-#include "sim/world/explicit/step_impacts.h"
+#include "sim/world/impacts/step_impacts.h"
 
 #include <algorithm>
 #include <utility>
