@@ -20,7 +20,7 @@
 #include "sim/world/phases/equilibrium.h"
 #include "sim/world/phases/explicit_phase.h"
 #include "sim/world/phases/motion_phase.h"
-#include "sim/world/phases/rest_phase.h"
+#include "sim/world/regime/rest_phase.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {

@@ -19,7 +19,7 @@
 #include "sim/world/output/publish.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/motion_phase.h"
-#include "sim/world/phases/rest_phase.h"
+#include "sim/world/regime/rest_phase.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {

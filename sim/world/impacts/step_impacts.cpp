@@ -7,7 +7,7 @@
 #include "sim/world/conditions/loads.h"
 #include "sim/world/contact/contact_phase.h"
 #include "sim/world/explicit/similarity.h"
-#include "sim/world/phases/rest_phase.h"
+#include "sim/world/regime/rest_phase.h"
 
 namespace griffith {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/world/phases/rest_phase.h"
+#include "sim/world/regime/rest_phase.h"
 
 #include <algorithm>
 #include <cmath>
