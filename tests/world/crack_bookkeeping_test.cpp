@@ -4,7 +4,7 @@
 
 #include "sim/world/fracture/fracture_phase.h"
 #include "sim/world/fracture/separation_phase.h"
-#include "sim/world/phases/elastic_phase.h"
+#include "sim/world/motion/elastic_phase.h"
 #include "sim/world/setup/build_world.h"
 #include "sim/world/state/world_state.h"
 #include "sim/world/step.h"

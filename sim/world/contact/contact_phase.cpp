@@ -16,9 +16,9 @@
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/impacts/expected_impacts.h"
 #include "sim/world/impacts/struck_bodies.h"
+#include "sim/world/motion/elastic_phase.h"
+#include "sim/world/motion/motion_phase.h"
 #include "sim/world/output/publish.h"
-#include "sim/world/phases/elastic_phase.h"
-#include "sim/world/phases/motion_phase.h"
 #include "sim/world/regime/rest_phase.h"
 #include "sim/world/state/world_state.h"
 

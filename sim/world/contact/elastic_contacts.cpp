@@ -8,7 +8,7 @@
 #include "sim/solver/contact_problem.h"
 #include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/phases/elastic_phase.h"
+#include "sim/world/motion/elastic_phase.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {

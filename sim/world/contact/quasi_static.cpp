@@ -6,7 +6,7 @@
 
 #include "sim/geometry/disjoint_sets.h"
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/phases/motion_phase.h"
+#include "sim/world/motion/motion_phase.h"
 
 namespace griffith {
 namespace {

@@ -12,8 +12,8 @@
 #include "sim/world/fracture/separation_phase.h"
 #include "sim/world/impacts/expected_impacts.h"
 #include "sim/world/impacts/struck_bodies.h"
-#include "sim/world/phases/elastic_phase.h"
-#include "sim/world/phases/motion_phase.h"
+#include "sim/world/motion/elastic_phase.h"
+#include "sim/world/motion/motion_phase.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {

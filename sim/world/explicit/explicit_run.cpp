@@ -10,8 +10,8 @@
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/explicit/similarity.h"
 #include "sim/world/impacts/expected_impacts.h"
+#include "sim/world/motion/elastic_phase.h"
 #include "sim/world/output/publish.h"
-#include "sim/world/phases/elastic_phase.h"
 #include "sim/world/state/corners.h"
 #include "sim/world/state/world_state.h"
 

@@ -15,7 +15,7 @@
 #include "sim/world/conditions/quick_changes.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/fracture/subdivision.h"
-#include "sim/world/phases/elastic_phase.h"
+#include "sim/world/motion/elastic_phase.h"
 #include "sim/world/state/corners.h"
 #include "sim/world/state/world_state.h"
 

@@ -8,8 +8,8 @@
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/fracture/separation_phase.h"
 #include "sim/world/impacts/struck_bodies.h"
-#include "sim/world/phases/elastic_phase.h"
-#include "sim/world/phases/motion_phase.h"
+#include "sim/world/motion/elastic_phase.h"
+#include "sim/world/motion/motion_phase.h"
 
 namespace griffith {
 namespace {

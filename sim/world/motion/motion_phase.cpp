@@ -1,4 +1,4 @@
-#include "sim/world/phases/motion_phase.h"
+#include "sim/world/motion/motion_phase.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -11,8 +11,8 @@
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/contact/contact_phase.h"
 #include "sim/world/energy/energy_phase.h"
-#include "sim/world/phases/elastic_phase.h"
-#include "sim/world/phases/turning.h"
+#include "sim/world/motion/elastic_phase.h"
+#include "sim/world/motion/turning.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {

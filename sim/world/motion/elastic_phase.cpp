@@ -1,4 +1,4 @@
-#include "sim/world/phases/elastic_phase.h"
+#include "sim/world/motion/elastic_phase.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -12,8 +12,8 @@
 #include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/explicit/similarity.h"
-#include "sim/world/phases/explicit_phase.h"
-#include "sim/world/phases/motion_phase.h"
+#include "sim/world/motion/explicit_integration.h"
+#include "sim/world/motion/motion_phase.h"
 #include "sim/world/state/element_states.h"
 #include "sim/world/state/world_state.h"
 

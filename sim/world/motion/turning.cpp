@@ -1,4 +1,4 @@
-#include "sim/world/phases/turning.h"
+#include "sim/world/motion/turning.h"
 
 #include <Eigen/LU>
 

@@ -2,8 +2,8 @@
 
 #include "sim/solver/conjugate_gradient.h"
 #include "sim/world/contact/elastic_contacts.h"
-#include "sim/world/phases/elastic_phase.h"
-#include "sim/world/phases/motion_phase.h"
+#include "sim/world/motion/elastic_phase.h"
+#include "sim/world/motion/motion_phase.h"
 
 namespace griffith {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/world/phases/equilibrium.h"
+#include "sim/world/motion/equilibrium.h"
 
 #include <algorithm>
 
@@ -6,8 +6,8 @@
 #include "sim/solver/static_solve.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/energy/energy_phase.h"
-#include "sim/world/phases/elastic_phase.h"
-#include "sim/world/phases/motion_phase.h"
+#include "sim/world/motion/elastic_phase.h"
+#include "sim/world/motion/motion_phase.h"
 #include "sim/world/state/element_states.h"
 #include "sim/world/state/world_state.h"
 
