@@ -6,7 +6,7 @@
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/contact/contact_phase.h"
 #include "sim/world/motion/elastic_phase.h"
-#include "sim/world/motion/motion_phase.h"
+#include "sim/world/regime/regime_change.h"
 #include "sim/world/setup/build_world.h"
 #include "sim/world/state/world_state.h"
 #include "sim/world/step.h"

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "sim/core/sort_unique.h"
-#include "sim/world/motion/motion_phase.h"
+#include "sim/world/regime/regime_change.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {

@@ -19,6 +19,7 @@
 #include "sim/world/motion/elastic_phase.h"
 #include "sim/world/motion/motion_phase.h"
 #include "sim/world/output/publish.h"
+#include "sim/world/regime/regime_change.h"
 #include "sim/world/regime/rest_phase.h"
 #include "sim/world/state/world_state.h"
 

@@ -70,28 +70,28 @@ double negligible_overlap(const WorldState& world, BodyId a, BodyId b) {
 
 /// Returns groups of at least three detected contacts of two bodies with similar normals.
 std::vector<FacePair> face_pairs(const WorldState& world) {
-  struct Group {
+  struct FaceGroup {
     FacePair pair;
     int count = 0;
     bool spread = false;
   };
-  std::map<std::pair<ProxyId, ProxyId>, std::vector<Group>> groups;
+  std::map<std::pair<ProxyId, ProxyId>, std::vector<FaceGroup>> groups;
   for (const Contact& contact : world.contact_world.contacts()) {
     const BodyId a = world.body_of(contact.a), b = world.body_of(contact.b);
     if (!a.valid() || !b.valid() || (!is_elastic(world, a) && !is_elastic(world, b))) continue;
     if (world.contact_world.allowed_overlap(contact.a, contact.b) > negligible_overlap(world, a, b)) continue;
-    std::vector<Group>& of_pair = groups[{contact.a, contact.b}];
+    std::vector<FaceGroup>& of_pair = groups[{contact.a, contact.b}];
     auto group = std::ranges::find_if(
-        of_pair, [&](const Group& other) { return other.pair.normal.dot(contact.normal) > kAlike; });
+        of_pair, [&](const FaceGroup& other) { return other.pair.normal.dot(contact.normal) > kAlike; });
     if (group == of_pair.end())
-      group = of_pair.insert(of_pair.end(), Group{{contact.a, contact.b, contact.normal, {}}});
+      group = of_pair.insert(of_pair.end(), FaceGroup{{contact.a, contact.b, contact.normal, {}}});
     group->pair.patch.extend(contact.position);
     group->spread |= is_of_nodes(contact);
     ++group->count;
   }
   std::vector<FacePair> pairs;
   for (const auto& [objects, of_pair] : groups)
-    for (const Group& group : of_pair)
+    for (const FaceGroup& group : of_pair)
       if (group.count >= 3 && !group.spread) pairs.push_back(group.pair);
   return pairs;
 }

@@ -7,7 +7,7 @@
 
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/motion/elastic_phase.h"
-#include "sim/world/motion/motion_phase.h"
+#include "sim/world/regime/regime_change.h"
 
 namespace griffith {
 namespace {

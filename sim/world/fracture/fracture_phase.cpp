@@ -10,7 +10,6 @@
 #include "sim/fracture/split.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/energy/energy_phase.h"
-#include "sim/world/fracture/cracking.h"
 #include "sim/world/fracture/separation_phase.h"
 #include "sim/world/fracture/subdivision.h"
 #include "sim/world/setup/build_world.h"

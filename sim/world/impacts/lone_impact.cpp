@@ -10,7 +10,7 @@
 #include "sim/world/explicit/explicit_regime.h"
 #include "sim/world/explicit/explicit_run.h"
 #include "sim/world/explicit/similarity.h"
-#include "sim/world/motion/motion_phase.h"
+#include "sim/world/regime/regime_change.h"
 
 namespace griffith {
 namespace {

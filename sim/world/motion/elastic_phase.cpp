@@ -14,6 +14,7 @@
 #include "sim/world/explicit/similarity.h"
 #include "sim/world/motion/explicit_integration.h"
 #include "sim/world/motion/motion_phase.h"
+#include "sim/world/regime/regime_change.h"
 #include "sim/world/state/element_states.h"
 #include "sim/world/state/world_state.h"
 

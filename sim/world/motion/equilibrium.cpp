@@ -7,7 +7,7 @@
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/motion/elastic_phase.h"
-#include "sim/world/motion/motion_phase.h"
+#include "sim/world/regime/regime_change.h"
 #include "sim/world/state/element_states.h"
 #include "sim/world/state/world_state.h"
 

@@ -8,7 +8,7 @@
 #include "sim/core/parallel.h"
 #include "sim/mesh/topology.h"
 #include "sim/solver/explicit_step.h"
-#include "sim/world/motion/motion_phase.h"
+#include "sim/world/regime/regime_change.h"
 #include "sim/world/state/corners.h"
 #include "sim/world/state/world_state.h"
 

@@ -13,6 +13,7 @@
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/motion/elastic_phase.h"
 #include "sim/world/motion/turning.h"
+#include "sim/world/regime/regime_change.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {
@@ -149,22 +150,6 @@ void leave_deforming_velocities(WorldState& world, const Body& body) {
   for (EdgeId edge : body.edges) start.solved_edge_velocities[edge] -= motion->spin.cross(world.edges.offsets[edge]);
 }
 
-bool all_finite(const std::vector<Vec3>& values, const auto& ids) {
-  return std::ranges::all_of(ids, [&](auto id) { return values[id].allFinite(); });
-}
-
-/// True if the body has a finite position.
-bool is_placed(const WorldState& world, const Body& body) {
-  return all_finite(world.nodes.positions, body.nodes) && all_finite(world.edges.offsets, body.edges) &&
-         body.motion.center.allFinite() && body.motion.inertia.allFinite() && body.orientation.coeffs().allFinite();
-}
-
-bool is_sound(const WorldState& world, const Body& body) {
-  return is_placed(world, body) && all_finite(world.nodes.velocities, body.nodes) &&
-         all_finite(world.edges.velocities, body.edges) && body.motion.velocity.allFinite() &&
-         body.motion.angular_velocity.allFinite();
-}
-
 }  // namespace
 
 Wrench wrench_of(const WorldState& world, const Body& body, const std::vector<Vec3>& forces) {
@@ -219,32 +204,6 @@ void stop_deforming(WorldState& world, const Body& body) {
   world.energy.regime_change += before - kinetic_energy_of(world, body);
 }
 
-void make_rigid(WorldState& world, Body& body) {
-  body.rigid = true;
-  fit_proxy(world, body);
-  const Mat3 back = body.orientation.conjugate().toRotationMatrix();
-  for (std::size_t i = 0; i < body.nodes.size(); ++i)
-    body.reference_arms.col(i) = back * (world.nodes.positions[body.nodes[i]] - body.motion.center);
-  body.reference_offsets.resize(3, static_cast<Eigen::Index>(body.edges.size()));
-  for (std::size_t i = 0; i < body.edges.size(); ++i)
-    body.reference_offsets.col(i) = back * world.edges.offsets[body.edges[i]];
-}
-
-void place_rigid_nodes(const Body& body, NodeArrays& nodes, EdgeArrays& edges) {
-  const RigidMotion& motion = body.motion;
-  const Mat3 rotation = body.orientation.toRotationMatrix();
-  for (std::size_t i = 0; i < body.nodes.size(); ++i) {
-    const Vec3 arm = rotation * body.reference_arms.col(i);
-    nodes.positions[body.nodes[i]] = motion.center + arm;
-    nodes.velocities[body.nodes[i]] = motion.velocity + motion.angular_velocity.cross(arm);
-  }
-  for (std::size_t i = 0; i < body.edges.size(); ++i) {
-    const EdgeId edge = body.edges[i];
-    edges.offsets[edge] = rotation * body.reference_offsets.col(i);
-    edges.velocities[edge] = motion.angular_velocity.cross(edges.offsets[edge]);
-  }
-}
-
 void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>& forces, double dt, RigidStart& start) {
   if (body.supported()) return;  // frozen: its supports hold it
   const auto [force, torque] = wrench_of(world, body, forces);
@@ -255,34 +214,6 @@ void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>&
   start.falls = true;
   motion.velocity = (motion.velocity + dt / motion.mass * force) / damping;
   motion.angular_velocity = (motion.angular_velocity + dt * (motion.inertia.inverse() * torque)) / damping;
-}
-
-void freeze_if_broken_down(WorldState& world, Body& body) {
-  if (body.asleep || is_sound(world, body)) return;
-  if (!is_placed(world, body)) {
-    const Pose last = world.contact_world.state(body.proxy).pose;
-    body.motion.center = last.translation;
-    body.orientation = last.rotation;
-    place_rigid_nodes(body, world.nodes, world.edges);
-  }
-  for (NodeId node : body.nodes) world.nodes.velocities[node] = world.nodes.reactions[node] = Vec3::Zero();
-  for (EdgeId edge : body.edges)
-    if (!(world.edges.velocities[edge].setZero(), world.edges.offsets[edge].allFinite()))
-      world.edges.offsets[edge].setZero();
-  for (TetId tet : body.tets)
-    if (!world.elements.plastic_strain(tet).allFinite()) world.elements.plastic_strains[tet].setZero();
-  freeze(world, body);
-}
-
-void freeze(WorldState& world, Body& body) {
-  ++world.report.non_finite_values;
-  const double before = energy_of(world, body);
-  if (body.supported())
-    for (NodeId node : body.nodes) world.nodes.velocities[node] = world.nodes.reactions[node] = Vec3::Zero();
-  clear_stress(body, world.elements, world.nodes);
-  body.motion = motion_of(world, body);
-  make_rigid(world, body);
-  if (std::isfinite(before)) world.energy.limited += before - energy_of(world, body);
 }
 
 void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt) {
@@ -317,23 +248,6 @@ void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt
     for (TetId tet : body.tets) world.report.inverted_tets += world.elements.states[tet].inverted;
   }
   place_proxies(world);
-}
-
-void set_ballistic(WorldState& world, Body& body, bool ballistic) {
-  if (body.ballistic == ballistic) return;
-  body.ballistic = ballistic;
-  world.contact_world.set_impact_speed(body.proxy, ballistic ? 0 : harmful_impact_speed(world, body));
-}
-
-void make_elastic(WorldState& world, Body& body) {
-  world.contact_world.wake_up(body.proxy);
-  const double before = elastic_energy(world, body);
-  set_ballistic(world, body, false);
-  body.rigid = body.asleep = false;
-  body.quiet_steps = 0;
-  body.rest.time = 0;
-  update_elements(world, body);  // it has turned since
-  world.energy.regime_change += before - elastic_energy(world, body);
 }
 
 }  // namespace griffith

@@ -7,10 +7,6 @@
 
 namespace griffith {
 
-/// Makes a rigid or sleeping body deformable.
-void make_elastic(WorldState& world, Body& body);
-/// Sets whether a body is ballistic: then all impacts on it are predicted.
-void set_ballistic(WorldState& world, Body& body, bool ballistic);
 /// Applies the external `forces` [N] of a substep of `dt` [s] to a rigid body; its loads are recorded in `start`.
 void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>& forces, double dt, RigidStart& start);
 /// Moves every body by its velocities and takes the elastic state after; `external` as in predict_velocities().
@@ -21,16 +17,6 @@ void move_without_deforming(WorldState& world, const Body& body, const BodySnaps
                             const std::vector<Vec3>& external, double dt);
 /// Restores the angular momentum of a free body before it moved.
 void restore_angular_momentum(WorldState& world, const Body& body, const BodySnapshot& before);
-/// Moves the nodes of a rigid body to its motion and orientation.
-void place_rigid_nodes(const Body& body, NodeArrays& nodes, EdgeArrays& edges);
-/// Makes a body with non-finite numbers rigid, at rest where it was, so that the rest of the scene goes on. If its
-/// positions are lost, it takes the shape that it had when it was made or last became rigid, at the place of its proxy.
-/// A supported one stays there permanently.
-void freeze_if_broken_down(WorldState& world, Body& body);
-/// Takes the shape as it is now for that of a rigid body.
-void make_rigid(WorldState& world, Body& body);
-/// Makes a body rigid and removes its stress. A free one keeps its momentum, a supported one stands still.
-void freeze(WorldState& world, Body& body);
 /// Sum of nodal forces on a body [N], and their torque about its center of mass [N·m].
 struct Wrench {
   Vec3 force = Vec3::Zero(), torque = Vec3::Zero();

@@ -10,6 +10,7 @@
 #include "sim/world/impacts/struck_bodies.h"
 #include "sim/world/motion/elastic_phase.h"
 #include "sim/world/motion/motion_phase.h"
+#include "sim/world/regime/regime_change.h"
 
 namespace griffith {
 namespace {
