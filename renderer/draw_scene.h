@@ -118,6 +118,9 @@ struct Label {
 struct Ground {
   float height = 0;  ///< y of the plane [m]
   Rgb color = {0.86f, 0.87f, 0.88f};
+  /// False: only its extent matters. Depths of objects are rounded as in a picture with it, so that where two of them
+  /// meet, both pictures show the same one.
+  bool drawn = true;
 };
 
 /// A vertical gradient.

@@ -231,7 +231,7 @@ void Renderer::Passes::draw_shadow_maps(const DrawScene& scene, const ViewBlock&
 
 void Renderer::Passes::draw_ground(const DrawScene& scene, const Camera& camera, const Focus& focus,
                                    Light light) const {
-  if (!scene.ground) return;
+  if (!scene.ground || !scene.ground->drawn) return;
   const bool from_below = camera.position.y() < scene.ground->height;
   ground.draw(*scene.ground, grid_level(height_at_target(camera)), focus.center, ground_radius(focus), from_below,
               light);

@@ -113,7 +113,7 @@ struct PictureMaker::Impl {
   }
 
   render::Image without_background(render::DrawScene drawn, const Viewpoint& viewpoint, const Writing& writing) {
-    drawn.ground.reset();
+    if (drawn.ground) drawn.ground->drawn = false;
     drawn.background = {{0, 0, 0}, {0, 0, 0}};
     const render::Image on_black = image(drawn, viewpoint, writing);
     drawn.background = {{1, 1, 1}, {1, 1, 1}};

@@ -131,7 +131,7 @@ TEST(IncludeRules, LowerFoldersOfTheSimulationKnowNoHigherOnes) {
            "^sim/(?!timeline|recording|explicit|world/"
            "(conditions|motion|contact|impacts|explicit|fracture|regime)).*$"},
           {"sim/world/bodies",
-           "^sim/(?!timeline|recording|explicit|world/(setup|conditions|contact|impacts|explicit|fracture|regime)).*$"},
+           "^sim/(?!timeline|recording|explicit|world/(setup|conditions|contact|impacts|explicit|regime)).*$"},
           {"sim/world/energy",
            "^sim/(?!timeline|recording|world/(setup|conditions|contact|impacts|explicit|fracture|regime)).*$"},
           {"sim/world/conditions",
