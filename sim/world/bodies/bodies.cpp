@@ -11,9 +11,9 @@
 #include "sim/world/bodies/bonded_pieces.h"
 #include "sim/world/bodies/collision_shape.h"
 #include "sim/world/energy/energy_phase.h"
-#include "sim/world/phases/elastic_phase.h"
-#include "sim/world/phases/motion_phase.h"
-#include "sim/world/world_state.h"
+#include "sim/world/motion/elastic_phase.h"
+#include "sim/world/motion/motion_phase.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {

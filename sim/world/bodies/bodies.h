@@ -6,7 +6,7 @@
 
 #include "sim/elasticity/placement.h"
 #include "sim/solver/pivot.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 

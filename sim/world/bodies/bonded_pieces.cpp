@@ -5,8 +5,8 @@
 
 #include "sim/fracture/cohesion.h"
 #include "sim/mesh/topology.h"
-#include "sim/world/phases/cracking.h"
-#include "sim/world/world_state.h"
+#include "sim/world/fracture/fracture_phase.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {

@@ -13,7 +13,8 @@ struct WorldState;
 /// order of their first tets.
 std::vector<std::vector<TetId>> bonded_pieces(const WorldState& world, const Body& body);
 
-/// Parts deformable bodies that bonds alone hold together: bonds act in explicit dynamics, and rigid bodies keep theirs.
+/// Parts deformable bodies that bonds alone hold together: bonds act in explicit dynamics, and rigid bodies keep
+/// theirs.
 void part_at_bonds(WorldState& world);
 
 }  // namespace griffith

@@ -6,7 +6,7 @@
 #include "sim/fracture/resistance.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/explicit/explicit_run.h"
-#include "sim/world/phases/separation_phase.h"
+#include "sim/world/fracture/separation_phase.h"
 
 namespace griffith {
 namespace {

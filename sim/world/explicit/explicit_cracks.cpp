@@ -7,11 +7,11 @@
 #include "sim/geometry/face_key.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/element_states.h"
 #include "sim/world/explicit/explicit_run.h"
 #include "sim/world/explicit/similarity.h"
-#include "sim/world/phases/separation_phase.h"
-#include "sim/world/world_state.h"
+#include "sim/world/fracture/separation_phase.h"
+#include "sim/world/state/element_states.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {

@@ -7,14 +7,14 @@
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/bodies/bonded_pieces.h"
-#include "sim/world/corners.h"
+#include "sim/world/contact/contact_phase.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/explicit/similarity.h"
-#include "sim/world/phases/contact_phase.h"
-#include "sim/world/phases/elastic_phase.h"
-#include "sim/world/phases/expected_impacts.h"
-#include "sim/world/publish.h"
-#include "sim/world/world_state.h"
+#include "sim/world/impacts/expected_impacts.h"
+#include "sim/world/motion/elastic_phase.h"
+#include "sim/world/output/publish.h"
+#include "sim/world/state/corners.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {

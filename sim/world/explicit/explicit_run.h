@@ -11,7 +11,7 @@
 #include "sim/explicit/explicit_bodies.h"
 #include "sim/explicit/microstep_contacts.h"
 #include "sim/world/conditions/loads.h"
-#include "sim/world/phases/cracking.h"
+#include "sim/world/fracture/fracture_phase.h"
 
 namespace griffith {
 
