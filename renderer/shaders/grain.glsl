@@ -137,7 +137,7 @@ void add_grain(inout Matter matter, int kind, vec3 rest, float size, vec3 fiber,
   if (kind == kStones) lay_stones(matter, place, pixel, warp, 0.47, vec3(0.62, 0.56, 0.48), -0.5);
   if (kind == kClay) lay_stones(matter, place, pixel, warp, 0.34, vec3(0.45, 0.50, 0.55), -0.3);
   if (kind == kSand) lay_stones(matter, place, pixel, warp, 0.45, vec3(0.34, 0.31, 0.26), -0.5);
-  if (kind == kCrystals) grow_crystals(matter, place + 0.5 * warp.xyz, pixel, 1.0, 0.7);
+  if (kind == kCrystals) grow_crystals(matter, place + 0.5 * warp.xyz, pixel, 0.7, 0.6);
   if (kind == kFacets) grow_crystals(matter, place + 0.5 * warp.xyz, pixel, 0.3, 0.9);
   if (kind == kVeins) {
     grow_crystals(matter, 5.0 * place, 5.0 * pixel, 0.12, 0.5);
