@@ -215,6 +215,12 @@ void add_how(CLI::App& command, RenderOptions& options) {
           "view")
       ->check(CLI::IsMember(quality_names()).description(""))
       ->type_name("NAME");
+  command
+      .add_option_function<std::string>(
+          "--environment", [&options](const std::string& name) { options.job.sky = name == "sky"; },
+          "Surroundings that light the picture and are mirrored: studio or sky; default: studio")
+      ->check(CLI::IsMember({"studio", "sky"}).description(""))
+      ->type_name("NAME");
   command.add_flag("--list-views", options.list_views, "List the names of --view and draw nothing");
   command.add_flag("--ui", options.job.interface, "Draw the editor's panels into the picture");
   command.add_flag("--legend,!--no-legend", options.job.legend, "Draw the legend of the colors; default: on");
@@ -259,7 +265,7 @@ Command add_render(CLI::App& program) {
   CLI::Option* job_file = command->get_option("--job-file");
   for (const char* name :
        {"SCENE", "--frame", "--every", "--frames", "--view", "--camera", "--node", "--size", "--samples", "--quality",
-        "--ui", "--legend", "--transparent", "--contact-sheet", "--video", "--fps", "--set"})
+        "--environment", "--ui", "--legend", "--transparent", "--contact-sheet", "--video", "--fps", "--set"})
     job_file->excludes(command->get_option(name));
   command->get_option("--only")->needs(job_file);
   command->footer(

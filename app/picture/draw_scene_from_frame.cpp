@@ -105,8 +105,9 @@ render::ScalarStyle scalar_style(const ViewSettings& view, const QuantityValues&
   Vec2 range = view.range.value_or(automatic);
   if ((view.symmetric || parted) && !view.range) range = symmetric_range(range);
   render::ScalarStyle style;
-  style.color_map =
-      render::find_color_map(view.color_map).value_or(parted ? render::ColorMap::coolwarm : render::ColorMap::viridis);
+  const render::ColorMap one_sided =
+      view.quantity == "utilization" ? render::ColorMap::heat : render::ColorMap::viridis;
+  style.color_map = render::find_color_map(view.color_map).value_or(parted ? render::ColorMap::coolwarm : one_sided);
   style.minimum = static_cast<float>(range[0]);
   style.maximum = static_cast<float>(range[1]);
   style.histogram = histogram(values, range, kBins);

@@ -12,7 +12,7 @@ namespace griffith::app {
 struct Exposure {
   Eigen::Vector2f lens;   ///< point of the unit disc
   Eigen::Vector2f pixel;  ///< offset of the picture [pixels], -0.5..0.5
-  double time = 0;        ///< of the shutter's time, -1..0
+  double time = 0;        ///< as a part of the shutter's time, -1..0
 };
 
 /// Returns exposures in the order of their times, of which there are `times`; `count` is a multiple of it. They are the

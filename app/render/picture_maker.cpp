@@ -32,6 +32,11 @@ Vec3 toward_eye(const Scene& scene, const std::string& camera) {
 
 constexpr render::Background kBlack = {{0, 0, 0}, {0, 0, 0}}, kWhite = {{1, 1, 1}, {1, 1, 1}};
 
+void put_under_sky(render::DrawScene& drawn) {
+  drawn.environment.kind = render::Environment::Kind::sky;
+  drawn.background = {{0.42f, 0.56f, 0.75f}, {0.74f, 0.79f, 0.84f}, true};
+}
+
 /// Shows objects before a plain background, without the ground.
 void put_before(const render::Background& background, render::DrawScene& drawn) {
   if (drawn.ground) drawn.ground->drawn = false;
@@ -118,8 +123,10 @@ struct PictureMaker::Impl {
   }
 
   render::DrawScene draw_scene(const Frame& frame, const Viewpoint& viewpoint) const {
-    return draw_scene_from_frame(frame, display, scene, viewpoint.view, selected_node(job, frame),
-                                 viewpoint.range.range());
+    render::DrawScene drawn = draw_scene_from_frame(frame, display, scene, viewpoint.view, selected_node(job, frame),
+                                                    viewpoint.range.range());
+    if (job.sky) put_under_sky(drawn);
+    return drawn;
   }
 
   Writing writing_of(const Frame& frame, const render::DrawScene& drawn, const Viewpoint& viewpoint) const {

@@ -16,9 +16,9 @@ namespace griffith::app {
 namespace {
 
 constexpr std::int64_t kMaxFileSize = 16 << 20;
-constexpr std::array<std::string_view, 14> kFields = {"quality",       "name",     "scene",   "frames",     "views",
-                                                      "cameras",       "size",     "samples", "node",       "ui",
-                                                      "open_sections", "commands", "legend",  "transparent"};
+constexpr std::array<std::string_view, 15> kFields = {
+    "environment", "quality", "name", "scene",         "frames",   "views",  "cameras",    "size",
+    "samples",     "node",    "ui",   "open_sections", "commands", "legend", "transparent"};
 
 void read_names(const Place& place, std::vector<std::string>& names) {
   if (!place.json.is_array() || place.json.empty()) return place.reject("a list of names, [\"...\"]");
@@ -71,6 +71,12 @@ void read_quality(const Place& place, RenderJob& job) {
   set_quality(job, name);
 }
 
+void read_environment(const Place& place, RenderJob& job) {
+  std::string name = "studio";
+  read(place, name, OneOf{{"studio", "sky"}});
+  job.sky = name == "sky";
+}
+
 void read_field(const Place& place, std::string_view name, RenderJob& job) {
   constexpr double kMaxNode = 1 << 30;
   if (name == "name") return read(place, job.name, Text{.minimum_length = 1});
@@ -79,6 +85,7 @@ void read_field(const Place& place, std::string_view name, RenderJob& job) {
   if (name == "cameras") return read_names(place, job.cameras);
   if (name == "size") return read_size(place, job);
   if (name == "samples") return read(place, job.samples.emplace(), between(1, 16));
+  if (name == "environment") return read_environment(place, job);
   if (name == "quality") return read_quality(place, job);
   if (name == "node") return read(place, job.node.emplace(), between(0, kMaxNode));
   if (name == "ui") return read(place, job.interface, Flag{});
@@ -187,6 +194,7 @@ std::string render_jobs_json(const std::vector<RenderJob>& jobs, const std::file
     if (job.samples && job.samples != 1) json["samples"] = *job.samples;
     if (job.quality)
       json["quality"] = job.poster ? "poster" : picture_quality_names()[static_cast<std::size_t>(*job.quality)];
+    if (job.sky) json["environment"] = "sky";
     if (job.node) json["node"] = *job.node;
     if (job.interface) json["ui"] = true;
     if (job.open_sections) json["open_sections"] = true;

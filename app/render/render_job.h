@@ -29,6 +29,7 @@ struct RenderJob {
   bool interface = false;                 ///< draws the editor's panels too
   bool open_sections = false;             ///< unfolds all sections of the panels
   std::vector<std::string> commands;      ///< commands of the editor before the first picture
+  bool sky = false;                       ///< surroundings: a clear sky in place of the studio
   bool legend = true;
   bool transparent = false;  ///< neither sky nor ground; empty pixels have alpha 0
 };
