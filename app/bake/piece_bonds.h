@@ -6,7 +6,7 @@
 #include "app/bake/bake.h"
 #include "app/bake/mesh_history.h"
 #include "sim/scene/scene.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith::app {
 

@@ -10,7 +10,7 @@
 #include "app/output/export_pieces.h"
 #include "app/picture/shards.h"
 #include "sim/scene/scene.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith::app {
 

@@ -16,7 +16,7 @@
 #include "sim/scene/quantities.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/scene/view_names.h"
-#include "sim/world/quantity_values.h"
+#include "sim/world/output/quantity_values.h"
 
 namespace griffith::app {
 namespace {

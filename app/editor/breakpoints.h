@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 #include "ui/model/selection.h"
 #include "ui/model/stop.h"
 #include "ui/model/time_view.h"

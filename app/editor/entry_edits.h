@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/camera.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 #include "ui/model/edit_history.h"
 #include "ui/model/editor_state.h"
 

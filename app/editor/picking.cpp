@@ -7,7 +7,7 @@
 #include "app/editor/messages.h"
 #include "sim/geometry/triangle.h"
 #include "sim/mesh/tet_mesh.h"
-#include "sim/world/node_report.h"
+#include "sim/world/output/node_report.h"
 #include "ui/model/verdict.h"
 
 namespace griffith::app {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "sim/world/step_counters.h"
+#include "sim/world/output/step_counters.h"
 
 namespace griffith::app {
 namespace {

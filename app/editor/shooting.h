@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "sim/scene/scene.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 #include "ui/model/aim.h"
 
 namespace griffith::app {

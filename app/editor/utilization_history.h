@@ -3,7 +3,7 @@
 #include <deque>
 #include <vector>
 
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 #include "ui/model/editor_state.h"
 
 namespace griffith::app {

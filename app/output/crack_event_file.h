@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith::app {
 

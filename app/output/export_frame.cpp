@@ -2,7 +2,7 @@
 
 #include "app/output/file_formats.h"
 #include "sim/mesh/write_mesh.h"
-#include "sim/world/quantity_values.h"
+#include "sim/world/output/quantity_values.h"
 
 namespace griffith::app {
 namespace {

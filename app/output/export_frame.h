@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith::app {
 

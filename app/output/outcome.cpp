@@ -7,7 +7,7 @@
 #include "app/shared/quantile.h"
 #include "sim/core/error.h"
 #include "sim/scene/field.h"
-#include "sim/world/step_counters.h"
+#include "sim/world/output/step_counters.h"
 
 namespace griffith::app {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith::app {
 
@@ -54,7 +54,7 @@ struct OutcomeKind {
 };
 
 /// Returns all outcomes in the order of tables. A new one is an entry of the table in outcome.cpp, a counter
-/// (sim/world/step_counters.cpp) or an entry of the energy account.
+/// (sim/world/output/step_counters.cpp) or an entry of the energy account.
 std::span<const OutcomeKind> outcome_kinds();
 
 /// Returns the index of an outcome by its key. Throws InputError, which names `where` and the most similar key.

@@ -2,7 +2,7 @@
 
 #include "app/output/csv_field.h"
 #include "sim/core/number_text.h"
-#include "sim/world/conditions/probes.h"
+#include "sim/world/output/probes.h"
 
 namespace griffith::app {
 

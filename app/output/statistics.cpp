@@ -12,7 +12,7 @@
 
 #include "app/shared/hash_text.h"
 #include "app/shared/quantile.h"
-#include "sim/world/scaled_breaks.h"
+#include "sim/world/output/scaled_breaks.h"
 
 namespace griffith::app {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/output/outcome.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith::app {
 

@@ -7,7 +7,7 @@
 
 #include "app/picture/shown_mesh.h"
 #include "sim/mesh/topology.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith::app {
 

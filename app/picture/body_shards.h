@@ -9,7 +9,7 @@
 #include "sim/meshing/surface.h"
 #include "sim/scene/scene.h"
 #include "sim/splinters/splinters.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith::app {
 

@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith::app {
 

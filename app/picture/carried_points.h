@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "renderer/embedded_surface.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith::app {
 

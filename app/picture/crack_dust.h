@@ -3,7 +3,7 @@
 #include "app/picture/shown_mesh.h"
 #include "renderer/draw_scene.h"
 #include "sim/scene/scene.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith::app {
 

@@ -3,7 +3,7 @@
 
 #include "app/picture/glyph_shape.h"
 #include "app/picture/layer_picture.h"
-#include "sim/world/node_report.h"
+#include "sim/world/output/node_report.h"
 
 namespace griffith::app {
 namespace {

@@ -13,7 +13,7 @@
 #include "renderer/draw_scene.h"
 #include "sim/core/copy_on_write.h"
 #include "sim/scene/scene.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 #include "ui/model/selection.h"
 
 namespace griffith::app {

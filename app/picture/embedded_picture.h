@@ -7,7 +7,7 @@
 
 #include "app/picture/skin.h"
 #include "renderer/embedded_surface.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith::app {
 

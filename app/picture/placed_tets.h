@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/mesh/tet_mesh.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith::app {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "sim/core/linear_algebra.h"
-#include "sim/world/frame.h"
-#include "sim/world/quantity_values.h"
+#include "sim/world/output/frame.h"
+#include "sim/world/output/quantity_values.h"
 
 namespace griffith::app {
 

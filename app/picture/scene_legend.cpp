@@ -4,7 +4,7 @@
 #include <bitset>
 #include <cmath>
 
-#include "sim/world/scaled_breaks.h"
+#include "sim/world/output/scaled_breaks.h"
 
 namespace griffith::app {
 namespace {

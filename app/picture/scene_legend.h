@@ -6,7 +6,7 @@
 #include "renderer/camera.h"
 #include "renderer/draw_scene.h"
 #include "sim/scene/scene.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 #include "ui/widgets/labels.h"
 #include "ui/widgets/legend.h"
 

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "app/picture/exaggeration.h"
-#include "sim/world/node_report.h"
+#include "sim/world/output/node_report.h"
 
 namespace griffith::app {
 namespace {

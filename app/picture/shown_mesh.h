@@ -7,7 +7,7 @@
 #include "app/picture/quantities.h"
 #include "renderer/draw_scene.h"
 #include "sim/scene/scene.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 #include "ui/model/selection.h"
 
 namespace griffith::app {

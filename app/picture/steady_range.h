@@ -6,7 +6,7 @@
 
 #include "app/picture/quantities.h"
 #include "sim/core/linear_algebra.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith::app {
 

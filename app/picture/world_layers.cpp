@@ -6,7 +6,7 @@
 #include "app/picture/layer_picture.h"
 #include "sim/elasticity/principal_stress.h"
 #include "sim/geometry/convex_hull.h"
-#include "sim/world/conditions/probes.h"
+#include "sim/world/output/probes.h"
 
 namespace griffith::app {
 namespace {

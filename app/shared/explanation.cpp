@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "sim/world/node_report.h"
+#include "sim/world/output/node_report.h"
 #include "ui/model/units.h"
 #include "ui/model/verdict.h"
 

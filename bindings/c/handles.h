@@ -8,7 +8,7 @@
 #include "sim/core/parallel.h"
 #include "sim/recording/recording.h"
 #include "sim/scene/scene.h"
-#include "sim/world/quantity_values.h"
+#include "sim/world/output/quantity_values.h"
 #include "sim/world/setup/in_memory_meshes.h"
 #include "sim/world/world.h"
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith::c {
 

@@ -6,7 +6,7 @@
 #include "bindings/c/guarded.h"
 #include "bindings/c/handles.h"
 #include "sim/world/energy/energy_account.h"
-#include "sim/world/step_counters.h"
+#include "sim/world/output/step_counters.h"
 
 using namespace griffith;
 using namespace griffith::c;

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/world/state_hashes.h"
+#include "sim/world/state/state_hashes.h"
 
 namespace griffith {
 

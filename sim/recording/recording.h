@@ -8,7 +8,7 @@
 #include "sim/recording/versions.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/world_input.h"
-#include "sim/world/state_hashes.h"
+#include "sim/world/state/state_hashes.h"
 
 namespace griffith {
 

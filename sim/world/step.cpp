@@ -1,30 +1,43 @@
 #include "sim/world/step.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "sim/world/bodies/bonded_pieces.h"
 #include "sim/world/conditions/projectiles.h"
+#include "sim/world/contact/contact_phase.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/explicit/explicit_obstacles.h"
 #include "sim/world/explicit/explicit_regime.h"
 #include "sim/world/explicit/similarity.h"
-#include "sim/world/phase_timer.h"
-#include "sim/world/phases/contact_phase.h"
-#include "sim/world/phases/elastic_phase.h"
-#include "sim/world/phases/equilibrium.h"
-#include "sim/world/phases/expected_impacts.h"
-#include "sim/world/phases/explicit_phase.h"
-#include "sim/world/phases/fracture_phase.h"
-#include "sim/world/phases/motion_phase.h"
-#include "sim/world/phases/rest_phase.h"
-#include "sim/world/phases/separation_phase.h"
-#include "sim/world/publish.h"
-#include "sim/world/world_state.h"
+#include "sim/world/fracture/fracture_phase.h"
+#include "sim/world/fracture/separation_phase.h"
+#include "sim/world/impacts/expected_impacts.h"
+#include "sim/world/motion/elastic_phase.h"
+#include "sim/world/motion/equilibrium.h"
+#include "sim/world/motion/explicit_integration.h"
+#include "sim/world/motion/motion_phase.h"
+#include "sim/world/output/publish.h"
+#include "sim/world/regime/rest_phase.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {
+
+/// Calls work() and adds its milliseconds to a phase; for display only. Returns what the work returns.
+template <class Work>
+auto timed(double& milliseconds, const Work& work) {
+  using Clock = std::chrono::steady_clock;
+  struct Timer {
+    double& milliseconds;
+    Clock::time_point start = Clock::now();
+    ~Timer() { milliseconds += std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
+  } timer{milliseconds};
+  return work();
+}
 
 /// Finds separation and fracture under the stresses after a substep of this length [s].
 void fracture(WorldState& world, double substep) {
@@ -37,6 +50,7 @@ void fracture(WorldState& world, double substep) {
 /// Computes contacts and motion of all objects except the bodies in explicit dynamics.
 void move(WorldState& world, double dt) {
   StepTimings& ms = world.report.milliseconds;
+  part_at_bonds(world);
   update_supports(world, world.time, dt);
   timed(ms.contact, [&] { find_contacts(world, dt); });
   record_substep_start(world, world.scratch);

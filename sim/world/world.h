@@ -6,9 +6,9 @@
 #include "sim/core/error.h"
 #include "sim/core/monitor.h"
 #include "sim/scene/scene.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 #include "sim/world/setup/in_memory_meshes.h"
-#include "sim/world/state_hashes.h"
+#include "sim/world/state/state_hashes.h"
 
 namespace griffith {
 

@@ -6,7 +6,7 @@
 #include "editor_fixture.h"
 #include "sim/elasticity/principal_stress.h"
 #include "sim/scene/scene_writer.h"
-#include "sim/world/node_report.h"
+#include "sim/world/output/node_report.h"
 #include "ui/model/units.h"
 
 namespace griffith::app {

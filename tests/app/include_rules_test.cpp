@@ -107,30 +107,44 @@ void expect_rules_kept(const std::string& top, const Rules& may_include) {
 }
 
 TEST(IncludeRules, LowerFoldersOfTheSimulationKnowNoHigherOnes) {
-  expect_rules_kept("sim",
-                    {
-                        {"sim/core", "^sim/core$"},
-                        {"sim/geometry", "^sim/(core|geometry)$"},
-                        {"sim/mesh", "^sim/(core|mesh)$"},
-                        {"sim/meshing", "^sim/(core|geometry|mesh|meshing)$"},
-                        {"sim/elasticity", "^sim/(core|elasticity)$"},
-                        {"sim/solver", "^sim/(core|mesh|elasticity|solver)$"},
-                        {"sim/fracture", "^sim/(core|mesh|elasticity|solver|fracture)$"},
-                        {"sim/contact", "^sim/(core|geometry|contact(/bullet)?)$"},
-                        {"sim/contact/bullet", "^sim/(core|geometry|contact(/bullet)?)$"},
-                        {"sim/splinters", "^sim/(core|geometry|mesh|meshing|splinters)$"},
-                        {"sim/explicit", "^sim/(core|geometry|mesh|elasticity|solver|contact|fracture|explicit)$"},
-                        {"sim/scene", "^sim/(core|mesh|meshing|elasticity|solver|fracture|splinters|scene)$"},
-                        {"sim/timeline", "^sim/(scene|timeline|world)$"},
-                        {"sim/recording", "^sim/(core|mesh|scene|world(/setup)?|timeline|recording)$"},
-                        {"sim/world", "^sim/(?!timeline|recording).*$"},
-                        {"sim/world/setup", "^sim/(?!world/explicit|explicit).*$"},
-                        {"sim/world/conditions", "^sim/(?!world/explicit|explicit).*$"},
-                        {"sim/world/bodies", "^sim/(?!world/(explicit|setup|conditions)|explicit).*$"},
-                        {"sim/world/energy", "^sim/(?!world/(explicit|setup|conditions)).*$"},
-                        {"sim/world/phases", "^sim/.*$"},
-                        {"sim/world/explicit", "^sim/(?!world/setup).*$"},
-                    });
+  expect_rules_kept(
+      "sim",
+      {
+          {"sim/core", "^sim/core$"},
+          {"sim/geometry", "^sim/(core|geometry)$"},
+          {"sim/mesh", "^sim/(core|mesh)$"},
+          {"sim/meshing", "^sim/(core|geometry|mesh|meshing)$"},
+          {"sim/elasticity", "^sim/(core|elasticity)$"},
+          {"sim/solver", "^sim/(core|mesh|elasticity|solver)$"},
+          {"sim/fracture", "^sim/(core|mesh|elasticity|solver|fracture)$"},
+          {"sim/contact", "^sim/(core|geometry|contact(/bullet)?)$"},
+          {"sim/contact/bullet", "^sim/(core|geometry|contact(/bullet)?)$"},
+          {"sim/splinters", "^sim/(core|geometry|mesh|meshing|splinters)$"},
+          {"sim/explicit", "^sim/(core|geometry|mesh|elasticity|solver|contact|fracture|explicit)$"},
+          {"sim/scene", "^sim/(core|mesh|meshing|elasticity|solver|fracture|splinters|scene)$"},
+          {"sim/timeline", "^sim/(scene|timeline|world)$"},
+          {"sim/recording", "^sim/(core|mesh|scene|world(/(state|output|setup))?|timeline|recording)$"},
+          {"sim/world", "^sim/(?!timeline|recording).*$"},
+          {"sim/world/state",
+           "^sim/(?!timeline|recording|explicit|world/(bodies|motion|contact|impacts|explicit|fracture|regime)).*$"},
+          {"sim/world/output",
+           "^sim/(?!timeline|recording|explicit|world/"
+           "(conditions|motion|contact|impacts|explicit|fracture|regime)).*$"},
+          {"sim/world/bodies",
+           "^sim/(?!timeline|recording|explicit|world/(setup|conditions|contact|impacts|explicit|regime)).*$"},
+          {"sim/world/energy",
+           "^sim/(?!timeline|recording|world/(setup|conditions|contact|impacts|explicit|fracture|regime)).*$"},
+          {"sim/world/conditions",
+           "^sim/(?!timeline|recording|explicit|world/(motion|contact|impacts|explicit|fracture)).*$"},
+          {"sim/world/fracture",
+           "^sim/(?!timeline|recording|explicit|world/(conditions|motion|contact|impacts|explicit|regime)).*$"},
+          {"sim/world/motion", "^sim/(?!timeline|recording|explicit|world/(setup|conditions|impacts|fracture)).*$"},
+          {"sim/world/contact", "^sim/(?!timeline|recording|explicit|world/(setup|conditions|explicit|fracture)).*$"},
+          {"sim/world/regime", "^sim/(?!timeline|recording|explicit|world/(setup|conditions|explicit)).*$"},
+          {"sim/world/impacts", "^sim/(?!timeline|recording|world/setup).*$"},
+          {"sim/world/explicit", "^sim/(?!timeline|recording|world/setup).*$"},
+          {"sim/world/setup", "^sim/(?!timeline|recording|explicit|world/(impacts|explicit|regime)).*$"},
+      });
 }
 
 TEST(IncludeRules, LowerFoldersOfPanelsKnowNoHigherOnes) {

@@ -9,7 +9,7 @@
 #include "app/output/csv_field.h"
 #include "program.h"
 #include "sim/scene/scene_writer.h"
-#include "sim/world/conditions/probes.h"
+#include "sim/world/output/probes.h"
 
 namespace griffith::app {
 namespace {

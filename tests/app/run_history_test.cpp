@@ -8,7 +8,7 @@
 
 #include "app/editor/curve_table.h"
 #include "program.h"
-#include "sim/world/step_counters.h"
+#include "sim/world/output/step_counters.h"
 
 namespace griffith::app {
 namespace {

@@ -8,7 +8,7 @@
 #include "app/editor/utilization_history.h"
 #include "app/shared/explanation.h"
 #include "program.h"
-#include "sim/world/node_report.h"
+#include "sim/world/output/node_report.h"
 #include "sim/world/world.h"
 #include "ui/model/units.h"
 #include "ui/model/verdict.h"

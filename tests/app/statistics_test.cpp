@@ -12,7 +12,7 @@
 #include "app/shared/hash_text.h"
 #include "program.h"
 #include "sim/core/replace_file.h"
-#include "sim/world/step_counters.h"
+#include "sim/world/output/step_counters.h"
 #include "sim/world/world.h"
 
 namespace griffith::app {

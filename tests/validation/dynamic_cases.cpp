@@ -6,10 +6,10 @@
 
 #include "sim/solver/explicit_step.h"
 #include "sim/world/energy/energy_phase.h"
-#include "sim/world/phases/elastic_phase.h"
-#include "sim/world/phases/motion_phase.h"
+#include "sim/world/motion/elastic_phase.h"
+#include "sim/world/motion/motion_phase.h"
+#include "sim/world/state/world_state.h"
 #include "sim/world/world.h"
-#include "sim/world/world_state.h"
 #include "tests/validation/specimen.h"
 
 namespace griffith::validation {

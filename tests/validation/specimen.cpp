@@ -4,10 +4,10 @@
 
 #include "sim/fracture/separation_tensor.h"
 #include "sim/scene/scene_reader.h"
-#include "sim/world/phases/elastic_phase.h"
-#include "sim/world/phases/equilibrium.h"
+#include "sim/world/motion/elastic_phase.h"
+#include "sim/world/motion/equilibrium.h"
 #include "sim/world/setup/build_world.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith::validation {
 

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 #include "tests/validation/validation_case.h"
 
 namespace griffith::validation {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/mesh/tet_mesh.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith::testing {
 

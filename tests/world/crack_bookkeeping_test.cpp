@@ -2,12 +2,12 @@
 
 #include <set>
 
-#include "sim/world/phases/elastic_phase.h"
-#include "sim/world/phases/fracture_phase.h"
-#include "sim/world/phases/separation_phase.h"
+#include "sim/world/fracture/fracture_phase.h"
+#include "sim/world/fracture/separation_phase.h"
+#include "sim/world/motion/elastic_phase.h"
 #include "sim/world/setup/build_world.h"
+#include "sim/world/state/world_state.h"
 #include "sim/world/step.h"
-#include "sim/world/world_state.h"
 #include "tests/world/loading.h"
 #include "tests/world/scenes.h"
 

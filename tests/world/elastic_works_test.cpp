@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/phases/elastic_phase.h"
+#include "sim/world/motion/elastic_phase.h"
 #include "sim/world/setup/build_world.h"
 #include "tests/random_values.h"
 

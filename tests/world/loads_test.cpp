@@ -3,10 +3,10 @@
 #include <numbers>
 #include <random>
 
-#include "sim/world/phases/fracture_phase.h"
+#include "sim/world/fracture/fracture_phase.h"
 #include "sim/world/setup/build_world.h"
+#include "sim/world/state/world_state.h"
 #include "sim/world/world.h"
-#include "sim/world/world_state.h"
 #include "tests/world/scenes.h"
 
 namespace griffith::testing {

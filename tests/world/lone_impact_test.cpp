@@ -1,6 +1,6 @@
 // Impacts that are judged one by one, and followed alone where they may break something.
 
-#include "sim/world/explicit/lone_impact.h"
+#include "sim/world/impacts/lone_impact.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith::testing {
 

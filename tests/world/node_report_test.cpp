@@ -1,4 +1,4 @@
-#include "sim/world/node_report.h"
+#include "sim/world/output/node_report.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 
 #include "sim/geometry/triangle.h"
 #include "sim/mesh/tet_mesh.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith::testing {
 

@@ -1,4 +1,4 @@
-#include "sim/world/conditions/probes.h"
+#include "sim/world/output/probes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,10 +6,10 @@
 #include <cmath>
 #include <random>
 
-#include "sim/world/phases/fracture_phase.h"
+#include "sim/world/fracture/fracture_phase.h"
 #include "sim/world/setup/build_world.h"
+#include "sim/world/state/world_state.h"
 #include "sim/world/world.h"
-#include "sim/world/world_state.h"
 #include "tests/world/scenes.h"
 
 namespace griffith::testing {

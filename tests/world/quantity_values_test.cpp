@@ -1,4 +1,4 @@
-#include "sim/world/quantity_values.h"
+#include "sim/world/output/quantity_values.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <set>
 
 #include "sim/core/error.h"
-#include "sim/world/conditions/probes.h"
+#include "sim/world/output/probes.h"
 #include "sim/world/world.h"
 #include "tests/world/scenes.h"
 

@@ -7,8 +7,8 @@
 
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/setup/build_world.h"
+#include "sim/world/state/world_state.h"
 #include "sim/world/world.h"
-#include "sim/world/world_state.h"
 #include "tests/world/scenes.h"
 
 namespace griffith {

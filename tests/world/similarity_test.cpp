@@ -9,13 +9,13 @@
 
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/explicit/explicit_regime.h"
-#include "sim/world/phases/elastic_phase.h"
-#include "sim/world/phases/motion_phase.h"
-#include "sim/world/scaled_breaks.h"
+#include "sim/world/motion/elastic_phase.h"
+#include "sim/world/motion/motion_phase.h"
+#include "sim/world/output/scaled_breaks.h"
+#include "sim/world/output/step_counters.h"
 #include "sim/world/setup/build_world.h"
-#include "sim/world/step_counters.h"
+#include "sim/world/state/world_state.h"
 #include "sim/world/world.h"
-#include "sim/world/world_state.h"
 
 namespace griffith {
 namespace {

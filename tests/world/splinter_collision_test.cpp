@@ -2,11 +2,11 @@
 
 #include "sim/core/parallel.h"
 #include "sim/world/bodies/collision_shape.h"
-#include "sim/world/phases/fracture_phase.h"
+#include "sim/world/fracture/fracture_phase.h"
 #include "sim/world/setup/build_world.h"
+#include "sim/world/state/world_state.h"
 #include "sim/world/step.h"
 #include "sim/world/world.h"
-#include "sim/world/world_state.h"
 #include "tests/world/scenes.h"
 
 namespace griffith {

@@ -4,8 +4,8 @@
 #include "sim/core/parallel.h"
 #include "sim/world/setup/build_world.h"
 #include "sim/world/setup/place_splinters.h"
+#include "sim/world/state/world_state.h"
 #include "sim/world/world.h"
-#include "sim/world/world_state.h"
 #include "tests/world/scenes.h"
 
 namespace griffith {

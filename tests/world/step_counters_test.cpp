@@ -1,4 +1,4 @@
-#include "sim/world/step_counters.h"
+#include "sim/world/output/step_counters.h"
 
 #include <gtest/gtest.h>
 

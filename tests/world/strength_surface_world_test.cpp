@@ -6,7 +6,7 @@
 
 #include "sim/fracture/strength_surface.h"
 #include "sim/scene/scene_writer.h"
-#include "sim/world/node_report.h"
+#include "sim/world/output/node_report.h"
 #include "sim/world/world.h"
 
 namespace griffith {

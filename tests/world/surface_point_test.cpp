@@ -6,7 +6,7 @@
 
 #include "sim/geometry/triangle.h"
 #include "sim/world/setup/build_world.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 #include "tests/world/scenes.h"
 
 namespace griffith::testing {

@@ -4,7 +4,7 @@
 
 #include "sim/core/parallel.h"
 #include "sim/mesh/box_mesh.h"
-#include "sim/world/step_counters.h"
+#include "sim/world/output/step_counters.h"
 #include "sim/world/world.h"
 #include "tests/random_values.h"
 

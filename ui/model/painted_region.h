@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/scene/scene.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 #include "ui/model/scene_entry.h"
 #include "ui/model/view_camera.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith::ui {
 

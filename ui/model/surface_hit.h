@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "sim/mesh/tet_mesh.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith::ui {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "sim/world/node_report.h"
+#include "sim/world/output/node_report.h"
 #include "ui/model/stop.h"
 
 namespace griffith::ui {

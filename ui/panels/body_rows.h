@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/scene/scene.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith::ui {
 

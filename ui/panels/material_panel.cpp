@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-#include "sim/world/scaled_breaks.h"
+#include "sim/world/output/scaled_breaks.h"
 #include "ui/model/verdict.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/field_range.h"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "sim/core/number_text.h"
-#include "sim/world/scaled_breaks.h"
-#include "sim/world/step_counters.h"
+#include "sim/world/output/scaled_breaks.h"
+#include "sim/world/output/step_counters.h"
 #include "ui/model/energy_share.h"
 #include "ui/model/overlap.h"
 #include "ui/model/units.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 #include "ui/model/aim.h"
 #include "ui/model/editor_state.h"
 #include "ui/model/view_camera.h"

@@ -8,11 +8,12 @@
 #include "sim/fracture/crack_front.h"
 #include "sim/fracture/resistance.h"
 #include "sim/mesh/topology.h"
+#include "sim/world/bodies/bonded_pieces.h"
 #include "sim/world/bodies/collision_shape.h"
 #include "sim/world/energy/energy_phase.h"
-#include "sim/world/phases/elastic_phase.h"
-#include "sim/world/phases/motion_phase.h"
-#include "sim/world/world_state.h"
+#include "sim/world/motion/elastic_phase.h"
+#include "sim/world/motion/motion_phase.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {
@@ -224,6 +225,7 @@ double rebuild_shape(WorldState& world, Body& body) {
   body.reference_offsets = gather(world.edges.offsets, body.edges);
   body.orientation.setIdentity();
   body.element_size = mean_element_size(world.elements.rest_elements, body.tets);
+  body.bonded = connected_components(world.mesh, body.tets).size() > 1;
   body.depth = depth_of(world, body);
   body.extent = extent_of(world, body);
   body.weakest_fraction = weakest_fraction_of(world, body);
@@ -305,7 +307,7 @@ void assign_pieces(WorldState& world, BodyId id, std::vector<std::vector<TetId>>
 std::vector<BodyId> part_bodies(WorldState& world, std::span<const BodyId> opened) {
   std::vector<BodyId> pieces(opened.begin(), opened.end());
   const std::size_t first_new = world.bodies.size();
-  for (BodyId id : opened) assign_pieces(world, id, connected_components(world.mesh, world.bodies[id].tets));
+  for (BodyId id : opened) assign_pieces(world, id, bonded_pieces(world, world.bodies[id]));
   for (std::size_t i = first_new; i < world.bodies.size(); ++i) pieces.push_back(world.bodies[i].id);
   return pieces;
 }

@@ -5,7 +5,7 @@
 #include "sim/contact/convex_pieces.h"
 #include "sim/mesh/topology.h"
 #include "sim/splinters/carried_corner.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {

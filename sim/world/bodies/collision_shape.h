@@ -5,7 +5,7 @@
 
 #include "sim/contact/contact_world.h"
 #include "sim/mesh/tet_mesh.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "sim/core/sort_unique.h"
-#include "sim/world/phases/motion_phase.h"
-#include "sim/world/world_state.h"
+#include "sim/world/regime/regime_change.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {

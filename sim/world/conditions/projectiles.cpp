@@ -10,7 +10,7 @@
 #include "sim/scene/body_pose.h"
 #include "sim/scene/scene_fields.h"
 #include "sim/world/energy/energy_phase.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 

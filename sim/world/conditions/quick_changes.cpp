@@ -6,7 +6,7 @@
 
 #include "sim/core/sort_unique.h"
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {

@@ -5,7 +5,7 @@
 #include <map>
 #include <span>
 
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {

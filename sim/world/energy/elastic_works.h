@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 

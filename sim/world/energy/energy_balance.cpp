@@ -2,8 +2,8 @@
 
 #include "sim/fracture/resistance.h"
 #include "sim/world/energy/energy_phase.h"
-#include "sim/world/phases/motion_phase.h"
-#include "sim/world/world_state.h"
+#include "sim/world/motion/motion_phase.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {

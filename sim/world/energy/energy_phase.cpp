@@ -9,8 +9,8 @@
 #include "sim/core/parallel.h"
 #include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/corners.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/corners.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "sim/explicit/obstacle.h"
 #include "sim/world/energy/elastic_works.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 /// Contributions of the phases of a step to the energy account. Work is taken over the actual motion: of an impulse on
 /// a rigid object at the mean of its velocities before and after, which is exact; of a force on an elastic body over

@@ -1,13 +1,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <set>
 
 #include "sim/fracture/cohesion.h"
 #include "sim/fracture/resistance.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/explicit/explicit_run.h"
-#include "sim/world/phases/separation_phase.h"
+#include "sim/world/fracture/separation_phase.h"
 
 namespace griffith {
 namespace {
@@ -120,7 +119,8 @@ void ExplicitRun::restore_bonds() {
       acting.force *= f, acting.critical /= f;
       const Vec3 between = explicit_bodies_.position(explicit_bodies_.corner(second, known.face.second_corners[i])) -
                            explicit_bodies_.position(explicit_bodies_.corner(first, known.face.first_corners[i]));
-      acting.opening = std::max(acting.opening / f, between.norm());
+      acting.now = between.norm();
+      acting.opening = std::max(acting.opening / f, acting.now);
       if (acting.opening < acting.critical) bond(known.face, i, acting);
     }
   }
@@ -135,27 +135,9 @@ void ExplicitRun::store_bonds() {
     const TetId first = tets_[crack.first_slot], second = tets_[crack.second_slot];
     CohesiveFace face{{first, second, crack.first_corners, crack.second_corners}, crack.bonds};
     const double f = body_of(world_.mesh->tets[first][0]).explicit_state->similarity;
-    for (Bond& bond : face.bonds) bond.force /= f, bond.critical *= f, bond.opening *= f;
+    for (Bond& bond : face.bonds) bond.force /= f, bond.critical *= f, bond.opening *= f, bond.now *= f;
     world_.cohesive_faces.push_back(face);
   }
-}
-
-/// Drops the bonds between pieces that the cracks since that event have separated entirely: pieces move on their own,
-/// whether microsteps still follow them together or not.
-void ExplicitRun::drop_parted_bonds(std::size_t first_event) {
-  std::set<BodyId> opened;
-  for (std::size_t i = first_event; i < world_.crack_events.size(); ++i) opened.insert(world_.crack_events[i].body);
-  std::vector<int> piece_of_slot(tets_.size(), -1);
-  int pieces = 0;
-  for (const BodyId body : opened)
-    for (const std::vector<TetId>& piece : connected_components(world_.mesh, world_.bodies[body].tets)) {
-      for (const TetId tet : piece) piece_of_slot[slot_of_tet_[tet]] = pieces;
-      ++pieces;
-    }
-  if (pieces > static_cast<int>(opened.size()))
-    contacts_->drop_bonds([&](const explicit_dynamics::CrackSides& crack) {
-      return piece_of_slot[crack.first_slot] != piece_of_slot[crack.second_slot];
-    });
 }
 
 }  // namespace griffith

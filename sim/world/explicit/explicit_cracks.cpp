@@ -7,11 +7,11 @@
 #include "sim/geometry/face_key.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/element_states.h"
 #include "sim/world/explicit/explicit_run.h"
 #include "sim/world/explicit/similarity.h"
-#include "sim/world/phases/separation_phase.h"
-#include "sim/world/world_state.h"
+#include "sim/world/fracture/separation_phase.h"
+#include "sim/world/state/element_states.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {
@@ -184,7 +184,6 @@ void ExplicitRun::check_overload() {
     return a.utilization != b.utilization ? a.utilization > b.utilization : a.node < b.node;
   });
   world_.report.cracks_postponed = 0;
-  const std::size_t first_event = world_.crack_events.size();
   for (const Overload& overload : overloaded_) {
     if (rebuild_) break;  // the others are judged again on the new mesh
     if (world_.report.cracks >= world_.model->scene.simulation.max_cracks_per_step) {
@@ -193,7 +192,6 @@ void ExplicitRun::check_overload() {
       open(overload);
     }
   }
-  if (world_.crack_events.size() > first_event && !rebuild_) drop_parted_bonds(first_event);
 }
 
 /// Takes a node that has been overloaded for long enough among those that open. `last_check`: before this one [s].

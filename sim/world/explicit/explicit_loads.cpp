@@ -3,7 +3,7 @@
 
 #include "sim/world/conditions/supports.h"
 #include "sim/world/explicit/explicit_run.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 /// Loads and supports that change during microsteps.
 namespace griffith {

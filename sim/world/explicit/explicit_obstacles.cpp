@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/phases/elastic_phase.h"
-#include "sim/world/phases/motion_phase.h"
+#include "sim/world/motion/elastic_phase.h"
+#include "sim/world/regime/regime_change.h"
 
 namespace griffith {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "sim/explicit/obstacle.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 

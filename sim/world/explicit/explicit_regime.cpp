@@ -8,13 +8,13 @@
 #include "sim/world/explicit/explicit_obstacles.h"
 #include "sim/world/explicit/explicit_run.h"
 #include "sim/world/explicit/similarity.h"
-#include "sim/world/explicit/struck_bodies.h"
-#include "sim/world/phases/cracking.h"
-#include "sim/world/phases/elastic_phase.h"
-#include "sim/world/phases/expected_impacts.h"
-#include "sim/world/phases/motion_phase.h"
-#include "sim/world/phases/separation_phase.h"
-#include "sim/world/world_state.h"
+#include "sim/world/fracture/fracture_phase.h"
+#include "sim/world/fracture/separation_phase.h"
+#include "sim/world/impacts/expected_impacts.h"
+#include "sim/world/impacts/struck_bodies.h"
+#include "sim/world/motion/elastic_phase.h"
+#include "sim/world/regime/regime_change.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "sim/explicit/obstacle.h"
-#include "sim/world/explicit/step_impacts.h"
-#include "sim/world/world_state.h"
+#include "sim/world/impacts/step_impacts.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 

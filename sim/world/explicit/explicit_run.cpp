@@ -6,14 +6,15 @@
 
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/corners.h"
+#include "sim/world/bodies/bonded_pieces.h"
+#include "sim/world/contact/contact_phase.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/explicit/similarity.h"
-#include "sim/world/phases/contact_phase.h"
-#include "sim/world/phases/elastic_phase.h"
-#include "sim/world/phases/expected_impacts.h"
-#include "sim/world/publish.h"
-#include "sim/world/world_state.h"
+#include "sim/world/impacts/expected_impacts.h"
+#include "sim/world/motion/elastic_phase.h"
+#include "sim/world/output/publish.h"
+#include "sim/world/state/corners.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {
@@ -278,6 +279,8 @@ void ExplicitRun::finish(double duration) {
   for (const explicit_dynamics::ExplicitConstraint& held : explicit_bodies_.constraints())
     world_.nodes.reactions[nodes_[held.node]] =
         held.impulse / (duration * body_of(nodes_[held.node]).explicit_state->similarity);
+  for (const BodyId id : bodies_)
+    if (world_.bodies[id].bonded && bonded_pieces(world_, world_.bodies[id]).size() > 1) opened_.bodies.insert(id);
   if (!opened_.bodies.empty()) part_opened(world_, opened_);
   for (Body& body : world_.bodies) {
     if (!is_followed(body)) continue;

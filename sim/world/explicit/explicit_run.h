@@ -11,7 +11,7 @@
 #include "sim/explicit/explicit_bodies.h"
 #include "sim/explicit/microstep_contacts.h"
 #include "sim/world/conditions/loads.h"
-#include "sim/world/phases/cracking.h"
+#include "sim/world/fracture/fracture_phase.h"
 
 namespace griffith {
 
@@ -115,7 +115,6 @@ class ExplicitRun {
   void list_crack(int index);
   void restore_bonds();
   void store_bonds();
-  void drop_parted_bonds(std::size_t first_event);
   void update_threshold(int index);
   void update_linear_states(std::span<const TetId> tets, const Body& body, std::vector<ElementState>& states);
   void update_quadratic_states(std::span<const TetId> tets, const Body& body);

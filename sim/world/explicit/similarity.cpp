@@ -13,11 +13,11 @@
 #include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/conditions/quick_changes.h"
-#include "sim/world/corners.h"
 #include "sim/world/energy/energy_phase.h"
-#include "sim/world/phases/elastic_phase.h"
-#include "sim/world/phases/subdivision.h"
-#include "sim/world/world_state.h"
+#include "sim/world/fracture/subdivision.h"
+#include "sim/world/motion/elastic_phase.h"
+#include "sim/world/state/corners.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {

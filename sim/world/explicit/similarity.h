@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/elasticity/element_frequency.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 /// Dynamic similarity of bodies in explicit dynamics, for impacts that would take more microsteps than the budget
 /// leaves. With

@@ -2,7 +2,7 @@
 
 #include "sim/core/monitor.h"
 #include "sim/world/setup/in_memory_meshes.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/mesh/tet_mesh.h"
-#include "sim/world/element_choice.h"
+#include "sim/world/setup/element_choice.h"
 
 namespace griffith {
 

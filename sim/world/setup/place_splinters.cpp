@@ -6,7 +6,7 @@
 #include "sim/core/error.h"
 #include "sim/mesh/topology.h"
 #include "sim/splinters/splinters.h"
-#include "sim/world/world_state.h"
+#include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "sim/core/monitor.h"
-#include "sim/world/model.h"
 #include "sim/world/setup/rest_body.h"
+#include "sim/world/state/model.h"
 
 namespace griffith {
 

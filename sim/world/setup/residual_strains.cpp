@@ -8,7 +8,7 @@
 #include "sim/core/file_path.h"
 #include "sim/mesh/file_cursor.h"
 #include "sim/scene/body_pose.h"
-#include "sim/world/corners.h"
+#include "sim/world/state/corners.h"
 
 namespace griffith {
 namespace {

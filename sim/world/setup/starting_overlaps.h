@@ -4,7 +4,7 @@
 
 #include "sim/core/error.h"
 #include "sim/scene/scene.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith {
 

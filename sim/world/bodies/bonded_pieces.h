@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/core/ids.h"
+
+namespace griffith {
+
+struct Body;
+struct WorldState;
+
+/// Returns the pieces of a body that faces or holding bonds connect. Each piece is ascending, and the pieces are in the
+/// order of their first tets.
+std::vector<std::vector<TetId>> bonded_pieces(const WorldState& world, const Body& body);
+
+/// Parts deformable bodies that bonds alone hold together: bonds act in explicit dynamics, and rigid bodies keep
+/// theirs.
+void part_at_bonds(WorldState& world);
+
+}  // namespace griffith

@@ -1,0 +1,248 @@
+#include "sim/world/contact/elastic_contacts.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "sim/core/parallel.h"
+#include "sim/solver/contact_problem.h"
+#include "sim/solver/pivot.h"
+#include "sim/world/bodies/bodies.h"
+#include "sim/world/motion/elastic_phase.h"
+#include "sim/world/state/world_state.h"
+
+namespace griffith {
+namespace {
+
+/// Bodies and contacts of one group.
+struct Group {
+  std::vector<int> contacts;  ///< indices into contacts()
+  std::vector<int> touched;   ///< indices of the deformable bodies in TouchedBodies
+  std::vector<DeformableInertia> deformable;
+  std::vector<RigidInertia> rigid;
+  std::vector<FrictionContact> problem;
+  std::vector<NodeVectors> changes;
+  ContactSolveReport report;
+};
+
+}  // namespace
+
+DeformableInertia deformable_inertia(const WorldState& world, const Body& body, double dt) {
+  DeformableInertia inertia;
+  inertia.whole = whole_motion(world, body, dt);
+  if (!world.integrates_explicitly()) {
+    inertia.matrix = &body.system->matrix();
+    inertia.preconditioner = &body.system->preconditioner();
+    inertia.factors = body.system->factors();
+    return inertia;
+  }
+  inertia.masses = body.system->gather_masses(world.nodes.masses, world.edges.masses);
+  return inertia;
+}
+
+namespace {
+
+/// Builds the problems of all groups.
+class GroupBuilder {
+ public:
+  GroupBuilder(const WorldState& world, const TouchedBodies& touched, double dt)
+      : world_(world),
+        touched_(touched),
+        dt_(dt),
+        body_of_object_(world.body_of_proxy.size() + world.projectiles.size() + 1, -1),
+        soft_(touched.bodies.size(), false) {
+    for (std::size_t i = 0; i < touched.objects.size(); ++i) {
+      if (world.bodies[touched.bodies[i].body].quasi_static) continue;
+      const ElasticObject& object = touched.objects[i];
+      grow(object.object);
+      touched_of(object.object) = static_cast<int>(i);
+      soft_[i] = sags_visibly(world, world.bodies[touched.bodies[i].body]);
+      for (std::size_t k = 0; k < object.contacts.size(); ++k)
+        points_.push_back({object.contacts[k], static_cast<int>(i), static_cast<int>(k)});
+    }
+    std::ranges::sort(points_, {}, [](const Point& point) { return std::pair(point.contact, point.touched); });
+  }
+
+  Group build(std::vector<int> contacts) {
+    Group group;
+    double fastest = 0;
+    for (const int contact : contacts)
+      fastest = std::max(fastest, std::as_const(world_.contact_world).contacts()[contact].approach);
+    for (const int contact : contacts) {
+      const Contact& found = std::as_const(world_.contact_world).contacts()[contact];
+      const ContactWorld::Law law = world_.contact_world.law(contact);
+      FrictionContact& row = group.problem.emplace_back();
+      row.a = side(group, found.a, contact, law.arm_a);
+      row.b = side(group, found.b, contact, law.arm_b);
+      row.axes = law.axes;
+      row.friction = law.friction;
+      row.target_velocity = target_velocity(found, law.target_velocity, fastest);
+      row.free_velocity = law.axes.transpose() * law.free_velocity;
+      row.impulse = law.guess;
+    }
+    group.contacts = std::move(contacts);
+    return group;
+  }
+
+ private:
+  /// Contact of an elastic body, and its place in its list.
+  struct Point {
+    int contact, touched, index;
+  };
+
+  void grow(ProxyId object) {
+    const auto index = static_cast<std::size_t>(object.index());
+    if (index >= body_of_object_.size()) body_of_object_.resize(index + 1, -1);
+    if (index >= touched_of_object_.size()) touched_of_object_.resize(index + 1, -1);
+  }
+  int& touched_of(ProxyId object) { return touched_of_object_[object.index()]; }
+
+  bool is_soft(ProxyId object) {
+    grow(object);
+    return touched_of(object) >= 0 && soft_[touched_of(object)];
+  }
+
+  /// Returns the least separation velocity [m/s]. A soft body closes its gap within the substep: stopped at once, like
+  /// a hard one, it would stay in the air by its speed times the step. Out of the ground it moves as slowly as the
+  /// tolerance of impulses let it in, so it receives no more energy than it lost there.
+  double target_velocity(const Contact& contact, double of_law, double fastest_approach) {
+    constexpr double kTolerance = 1e-3;  // of the fastest approach of the group: ten times that of its impulses
+    if (!is_soft(contact.a) && !is_soft(contact.b)) return of_law;
+    if (contact.distance > 0) return -contact.distance / dt_;
+    const bool is_on_ground = world_.contact_world.is_ground(contact.a) || world_.contact_world.is_ground(contact.b);
+    return is_on_ground ? std::min(-contact.distance / dt_, kTolerance * fastest_approach) : 0;
+  }
+
+  ContactSide side(Group& group, ProxyId object, int contact, const Vec3& arm) {
+    grow(object);
+    if (touched_of(object) >= 0) return deformable_side(group, object, contact);
+    const std::optional<RigidMass> mass = world_.contact_world.rigid_mass(object);
+    if (!mass) return {};
+    int& body = body_of_object_[object.index()];
+    if (body < 0) {
+      body = static_cast<int>(group.rigid.size());
+      group.rigid.push_back({mass->mass, mass->inertia});
+    }
+    ContactSide rigid;
+    rigid.body = body;
+    rigid.arm = arm;
+    return rigid;
+  }
+
+  ContactSide deformable_side(Group& group, ProxyId object, int contact) {
+    const int touched = touched_of(object);
+    int& body = body_of_object_[object.index()];
+    if (body < 0) {
+      body = static_cast<int>(group.deformable.size());
+      group.deformable.push_back(deformable_inertia(world_, world_.bodies[touched_.bodies[touched].body], dt_));
+      group.touched.push_back(touched);
+    }
+    const auto point = std::ranges::lower_bound(points_, std::pair(contact, touched), {},
+                                                [](const Point& p) { return std::pair(p.contact, p.touched); });
+    ContactSide side;
+    side.body = body;
+    side.deformable = true;
+    const TouchedBody& of = touched_.bodies[touched];
+    side.point = weighted_rows(world_, of.points[point->index].surface);
+    if (!world_.bodies[of.body].supported())
+      side.offset = of.points[point->index].contact - of.points[point->index].position;
+    return side;
+  }
+
+  const WorldState& world_;
+  const TouchedBodies& touched_;
+  double dt_;
+  std::vector<int> body_of_object_;     // index in its group, -1 before
+  std::vector<int> touched_of_object_;  // index into the touched bodies, -1 for what is not elastic
+  std::vector<bool> soft_;              // per touched body: visibly strained by its own weight
+  std::vector<Point> points_;
+};
+
+ContactTolerance tolerance_of(const WorldState& world, double dt) {
+  constexpr double kNegligible = 1e-6;  // of what gravity adds in a substep
+  ContactTolerance tolerance;
+  tolerance.relative = std::min(1e-4, world.model->scene.simulation.relative_residual);
+  tolerance.negligible_speed = std::max(1e-12, kNegligible * dt * world.model->scene.gravity.norm());
+  tolerance.max_iterations = world.model->scene.simulation.max_solver_iterations;
+  return tolerance;
+}
+
+}  // namespace
+
+namespace {
+
+NodeVectors columns_of(std::span<const NodeId> nodes, const std::vector<Vec3>& values) {
+  NodeVectors columns(3, static_cast<Eigen::Index>(nodes.size()));
+  for (std::size_t i = 0; i < nodes.size(); ++i) columns.col(static_cast<Eigen::Index>(i)) = values[nodes[i]];
+  return columns;
+}
+
+/// Returns quasi-static bodies that can rotate about a hinge or a joint of their supports.
+std::vector<HingedObject> hinged_objects(const WorldState& world, const TouchedBodies& touched, double dt) {
+  std::vector<HingedObject> hinged;
+  for (std::size_t i = 0; i < touched.bodies.size(); ++i) {
+    const Body& body = world.bodies[touched.bodies[i].body];
+    if (!body.quasi_static || !body.supported()) continue;
+    const auto pivot = pivot_of(world, body);
+    if (!pivot) continue;
+    const std::span<const NodeId> nodes = body.system->nodes();
+    Eigen::VectorXd masses(static_cast<Eigen::Index>(nodes.size()));
+    for (std::size_t row = 0; row < nodes.size(); ++row) masses[row] = world.nodes.masses[nodes[row]];
+    const auto spin_of = [&](const std::vector<Vec3>& velocities) {
+      return turning_about(*pivot, columns_of(nodes, world.nodes.positions), columns_of(nodes, velocities), masses)
+          .spin;
+    };
+    hinged.push_back({body.proxy, body.motion.mass, pivot->place, whole_motion(world, body, dt).inverse_inertia,
+                      spin_of(world.scratch.substep_start.velocities), spin_of(world.nodes.velocities)});
+  }
+  return hinged;
+}
+
+/// Returns the coupled bodies, with their indices in `touched`.
+std::vector<ElasticObject> coupled_objects(const WorldState& world, const TouchedBodies& touched) {
+  std::vector<ElasticObject> coupled;
+  for (std::size_t i = 0; i < touched.bodies.size(); ++i)
+    if (!world.bodies[touched.bodies[i].body].quasi_static) coupled.push_back(touched.objects[i]);
+  return coupled;
+}
+
+}  // namespace
+
+void solve_elastic_contacts(WorldState& world, TouchedBodies& touched, double dt) {
+  for (std::size_t i = 0; i < touched.bodies.size(); ++i)
+    touched.objects[i].free_velocities = point_velocities(world, touched.bodies[i]);
+  world.contact_world.solve(dt, coupled_objects(world, touched), hinged_objects(world, touched, dt));
+  std::vector<Group> groups;
+  GroupBuilder builder(world, touched, dt);
+  for (std::vector<int>& contacts : world.contact_world.elastic_groups())
+    groups.push_back(builder.build(std::move(contacts)));
+  const ContactTolerance tolerance = tolerance_of(world, dt);
+  parallel_for(static_cast<int>(groups.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      groups[i].report =
+          solve_contact_problem(groups[i].deformable, groups[i].rigid, groups[i].problem, tolerance, groups[i].changes);
+  });
+  for (Group& group : groups) {
+    for (std::size_t i = 0; i < group.contacts.size(); ++i)
+      world.contact_world.set_impulse(group.contacts[i], group.problem[i].axes * group.problem[i].impulse);
+    for (std::size_t i = 0; i < group.touched.size(); ++i)
+      touched.bodies[group.touched[i]].change = std::move(group.changes[i]);
+    world.report.unconverged_contacts += group.report.unconverged;
+    world.report.contact_iterations += group.report.iterations;
+  }
+}
+
+WholeMotion whole_motion(const WorldState& world, const Body& body, double dt) {
+  const std::optional<Pivot> pivot = pivot_of(world, body);
+  if (body.supported() && !pivot) return {};
+  const std::span<const NodeId> nodes = body.system->nodes();
+  Eigen::VectorXd masses(static_cast<Eigen::Index>(nodes.size()));
+  for (std::size_t row = 0; row < nodes.size(); ++row) masses[row] = world.nodes.masses[nodes[row]];
+  NodeVectors places = body.system->gather(world.nodes.positions, world.edges.offsets);
+  WholeMotion whole = pivot ? swinging_motion(std::move(places), std::move(masses), *pivot)
+                            : free_motion(std::move(places), std::move(masses));
+  whole.damping = 1 + dt * world.material_of(body).mass_damping;
+  return whole;
+}
+
+}  // namespace griffith

@@ -1,0 +1,187 @@
+#include "sim/world/contact/touched_body.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "sim/core/parallel.h"
+#include "sim/core/rotation.h"
+#include "sim/world/bodies/bodies.h"
+#include "sim/world/state/world_state.h"
+
+namespace griffith {
+namespace {
+
+Vec3 surface_position(const WorldState& world, const SurfacePoint& point) {
+  Vec3 position = Vec3::Zero();
+  for (int i = 0; i < 3; ++i) position += point.weights[i] * world.nodes.positions[point.nodes[i]];
+  return position;
+}
+
+/// Returns the index of one of a body's nodes.
+int place_of(const Body& body, NodeId node) {
+  return static_cast<int>(std::lower_bound(body.nodes.begin(), body.nodes.end(), node) - body.nodes.begin());
+}
+
+/// Returns the place of this point of the surface on the proxy, which does not deform.
+Vec3 proxy_position(const Body& body, const SurfacePoint& point) {
+  Vec3 arm = Vec3::Zero();
+  for (int i = 0; i < 3; ++i) arm += point.weights[i] * body.reference_arms.col(place_of(body, point.nodes[i]));
+  return body.motion.center + body.orientation * arm;
+}
+
+bool is_elastic(const WorldState& world, ProxyId object) {
+  const BodyId id = world.body_of(object);
+  return id.valid() && !world.bodies[id].rigid && !world.bodies[id].asleep;
+}
+
+void list_contacts(const WorldState& world, TouchedBodies& touched) {
+  std::vector<int> index_of_body(world.bodies.size(), -1);
+  const std::span<const Contact> contacts = world.contact_world.contacts();
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    for (bool is_a : {true, false}) {
+      const ProxyId object = is_a ? contacts[i].a : contacts[i].b;
+      if (!is_elastic(world, object)) continue;
+      const BodyId id = world.body_of(object);
+      if (index_of_body[id] < 0) {
+        index_of_body[id] = static_cast<int>(touched.bodies.size());
+        touched.bodies.emplace_back().body = id;
+        touched.objects.emplace_back().object = object;
+      }
+      TouchedPoint& point = touched.bodies[index_of_body[id]].points.emplace_back();
+      point.contact = contacts[i].position;
+      point.node = is_a ? contacts[i].node_a : contacts[i].node_b;
+      touched.objects[index_of_body[id]].contacts.push_back(static_cast<int>(i));
+    }
+}
+
+}  // namespace
+
+TouchedBodies touched_bodies(const WorldState& world) {
+  TouchedBodies touched;
+  list_contacts(world, touched);
+  parallel_for(static_cast<int>(touched.bodies.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const SurfaceSearch surface(world, world.bodies[touched.bodies[i].body]);
+      for (TouchedPoint& point : touched.bodies[i].points) {
+        point.surface = point.node.valid() ? SurfacePoint{{point.node, point.node, point.node}, Vec3::UnitX()}
+                                           : surface.closest(point.contact);
+        point.position = surface_position(world, point.surface);
+      }
+    }
+  });
+  return touched;
+}
+
+namespace {
+
+/// Moves a contact half-way between the surfaces that touch, of which `point` is on one.
+Vec3 middle_from(const Contact& contact, const Vec3& point, double side) {
+  return point - side * 0.5 * contact.distance * contact.normal;
+}
+
+void correct_places(TouchedBodies& touched, std::span<Contact> contacts) {
+  std::vector<int> known(contacts.size(), 0);
+  for (std::size_t i = 0; i < touched.bodies.size(); ++i)
+    for (std::size_t k = 0; k < touched.bodies[i].points.size(); ++k) {
+      Contact& contact = contacts[touched.objects[i].contacts[k]];
+      if (contact.node_a.valid() || contact.node_b.valid()) continue;
+      const double side = contact.a == touched.objects[i].object ? 1 : -1;
+      const Vec3 middle = middle_from(contact, touched.bodies[i].points[k].position, side);
+      int& sides = known[touched.objects[i].contacts[k]];
+      contact.position = sides++ == 0 ? middle : Vec3(0.5 * (contact.position + middle));
+    }
+  for (std::size_t i = 0; i < touched.bodies.size(); ++i)
+    for (std::size_t k = 0; k < touched.bodies[i].points.size(); ++k)
+      touched.bodies[i].points[k].contact = contacts[touched.objects[i].contacts[k]].position;
+}
+
+}  // namespace
+
+void fit_contacts(const WorldState& world, TouchedBodies& touched, std::span<Contact> contacts) {
+  for (std::size_t i = 0; i < touched.bodies.size(); ++i) {
+    const Body& body = world.bodies[touched.bodies[i].body];
+    for (std::size_t k = 0; k < touched.bodies[i].points.size(); ++k) {
+      const TouchedPoint& point = touched.bodies[i].points[k];
+      Contact& contact = contacts[touched.objects[i].contacts[k]];
+      if (contact.node_a.valid() || contact.node_b.valid()) continue;
+      const double side = contact.a == body.proxy ? 1 : -1;
+      contact.distance += side * contact.normal.dot(point.position - proxy_position(body, point.surface));
+    }
+  }
+  correct_places(touched, contacts);
+}
+
+std::vector<double> approach_speeds(const WorldState& world, const TouchedBodies& touched) {
+  const std::span<const Contact> contacts = world.contact_world.contacts();
+  std::vector<double> speeds(contacts.size(), 0.0);
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    for (const auto& [object, side] : {std::pair(contacts[i].a, 1.0), std::pair(contacts[i].b, -1.0)}) {
+      if (is_elastic(world, object)) continue;
+      const RigidState state = world.contact_world.state(object);
+      const Vec3 arm = contacts[i].position - state.pose.translation;
+      speeds[i] -= side * contacts[i].normal.dot(state.velocity + state.angular_velocity.cross(arm));
+    }
+  for (std::size_t i = 0; i < touched.bodies.size(); ++i) {
+    const Eigen::Matrix3Xd velocities = point_velocities(world, touched.bodies[i]);
+    for (Eigen::Index k = 0; k < velocities.cols(); ++k) {
+      const int index = touched.objects[i].contacts[k];
+      const double side = contacts[index].a == touched.objects[i].object ? 1 : -1;
+      speeds[index] -= side * contacts[index].normal.dot(velocities.col(k));
+    }
+  }
+  return speeds;
+}
+
+void keep_contacts(TouchedBodies& touched, std::span<const int> index) {
+  for (std::size_t i = 0; i < touched.bodies.size(); ++i) {
+    std::vector<TouchedPoint> points;
+    std::vector<int> contacts;
+    for (std::size_t k = 0; k < touched.bodies[i].points.size(); ++k) {
+      const int kept = index[touched.objects[i].contacts[k]];
+      if (kept < 0) continue;
+      points.push_back(touched.bodies[i].points[k]);
+      contacts.push_back(kept);
+    }
+    touched.bodies[i].points = std::move(points);
+    touched.objects[i].contacts = std::move(contacts);
+  }
+}
+
+Eigen::Matrix3Xd point_velocities(const WorldState& world, const TouchedBody& touched) {
+  const Body& body = world.bodies[touched.body];
+  const Vec3 spin = body.supported() ? Vec3(Vec3::Zero()) : motion_of(world, body).angular_velocity;
+  Eigen::Matrix3Xd velocities(3, static_cast<Eigen::Index>(touched.points.size()));
+  for (std::size_t k = 0; k < touched.points.size(); ++k) {
+    const TouchedPoint& point = touched.points[k];
+    velocities.col(k) = spin.cross(point.contact - point.position);
+    for (int i = 0; i < 3; ++i)
+      velocities.col(k) += point.surface.weights[i] * world.nodes.velocities[point.surface.nodes[i]];
+  }
+  return velocities;
+}
+
+WeightedRows weighted_rows(const WorldState& world, const SurfacePoint& point) {
+  WeightedRows rows;
+  for (int k = 0; k < 3; ++k) {
+    rows.rows[k] = world.nodes.rows[point.nodes[k]];
+    rows.weights[k] = point.weights[k] * world.nodes.constraints[point.nodes[k]].allowed;
+  }
+  return rows;
+}
+
+void add_nodal_impulses(const WorldState& world, const TouchedBody& touched, const Eigen::Matrix3Xd& impulses,
+                        std::vector<Vec3>& nodal) {
+  const Body& body = world.bodies[touched.body];
+  Vec3 torque = Vec3::Zero();
+  for (std::size_t k = 0; k < touched.points.size(); ++k) {
+    const TouchedPoint& point = touched.points[k];
+    for (int i = 0; i < 3; ++i) nodal[point.surface.nodes[i]] += point.surface.weights[i] * impulses.col(k);
+    torque += (point.contact - point.position).cross(impulses.col(k));
+  }
+  if (body.supported()) return;
+  const Vec3 spin = body.motion.inertia.inverse() * torque;
+  for (NodeId node : body.nodes)
+    nodal[node] += world.nodes.masses[node] * spin.cross(world.nodes.positions[node] - body.motion.center);
+}
+
+}  // namespace griffith

@@ -1,0 +1,158 @@
+#include "sim/world/fracture/subdivision.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <set>
+
+#include "sim/mesh/topology.h"
+#include "sim/world/bodies/bodies.h"
+#include "sim/world/setup/build_world.h"
+#include "sim/world/state/corners.h"
+#include "sim/world/state/world_state.h"
+
+namespace griffith {
+namespace {
+
+/// Appends a half of an element, with the same deformation gradient and all that follows from it.
+void append_element(WorldState& world, const TetBisection& halves) {
+  ElementArrays& elements = world.elements;
+  elements.append_copy(halves.tet);
+  const int faces = elements.first_surface[halves.tet], outer = 1 << halves.kept, inner = 1 << halves.moved;
+  std::vector<std::uint8_t>& first_surface = elements.first_surface.edit();
+  first_surface[halves.child] = static_cast<std::uint8_t>(faces & ~inner);
+  first_surface[halves.tet] = static_cast<std::uint8_t>(faces & ~outer);
+  std::vector<OpenedFaces>& opened = elements.opened.edit();
+  opened[halves.child][halves.moved] = opened[halves.tet][halves.kept] = kNeverOpened;
+  world.bodies[elements.bodies[halves.tet]].tets.push_back(halves.child);
+}
+
+double kinetic_energy_of(const WorldState& world, const auto& nodes) {
+  double energy = 0;
+  for (const NodeId node : nodes) energy += 0.5 * world.nodes.masses[node] * world.nodes.velocities[node].squaredNorm();
+  return energy;
+}
+
+/// Corners or faces of tets.
+using Places = std::set<std::pair<TetId, int>>;
+
+/// Returns the two corners common to both halves.
+std::array<int, 2> common_corners(const TetBisection& halves) {
+  std::array<int, 2> common{};
+  for (int corner = 0, i = 0; corner < 4; ++corner)
+    if (corner != halves.kept && corner != halves.moved) common[i++] = corner;
+  return common;
+}
+
+/// Keeps the nodes, wherever their corners are now.
+void follow_nodes(Places& places, const TetBisection& halves) {
+  if (places.erase({halves.tet, halves.moved}) > 0) places.insert({halves.child, halves.moved});
+}
+
+/// Updates places that are all corners at the same nodes.
+void follow_stars(Places& places, const TetBisection& halves) {
+  follow_nodes(places, halves);
+  for (int corner : common_corners(halves))
+    if (places.contains({halves.tet, corner})) places.insert({halves.child, corner});
+}
+
+/// Updates places that are all corners at the nodes of a region, which includes the midpoint of an edge between two of
+/// them.
+void follow_region(Places& places, const TetBisection& halves) {
+  const bool edge = places.contains({halves.tet, halves.kept}) && places.contains({halves.tet, halves.moved});
+  follow_stars(places, halves);
+  if (edge) places.insert({{halves.tet, halves.moved}, {halves.child, halves.kept}});
+}
+
+/// Updates faces: the one opposite the moved end stays, the one opposite the kept end goes to the child, two are
+/// halved.
+void follow_faces(Places& places, const TetBisection& halves) {
+  if (places.erase({halves.tet, halves.kept}) > 0) places.insert({halves.child, halves.kept});
+  for (int face : common_corners(halves))
+    if (places.contains({halves.tet, face})) places.insert({halves.child, face});
+}
+
+/// Updates the corners at bisected tets; the others stay.
+template <class Follow>
+void follow_all(std::vector<TetCorner>& corners, const Subdivision& subdivision, Follow follow) {
+  std::set<TetId> halved;
+  for (const TetBisection& halves : subdivision.tets) halved.insert(halves.tet);
+  Places places;
+  std::erase_if(corners, [&](const TetCorner& corner) {
+    return halved.contains(corner.tet) && places.insert({corner.tet, corner.corner}).second;
+  });
+  for (const TetBisection& halves : subdivision.tets) follow(places, halves);
+  for (const auto& [tet, corner] : places) corners.push_back({tet, corner});
+}
+
+void follow_load(PlacedLoad& placed, const Subdivision& subdivision) {
+  follow_all(placed.corners, subdivision, follow_nodes);
+  std::vector<TetCorner> faces;
+  for (const SurfaceFace& face : placed.faces) faces.push_back({face.tet, face.face});
+  follow_all(faces, subdivision, follow_faces);
+  placed.faces.clear();
+  for (const TetCorner& face : faces) placed.faces.push_back({face.tet, face.corner});
+  std::set<TetId> tets(placed.tets.begin(), placed.tets.end());
+  for (const TetBisection& halves : subdivision.tets)
+    if (tets.contains(halves.tet)) tets.insert(halves.child);
+  placed.tets.assign(tets.begin(), tets.end());
+}
+
+void follow_probe(ProbedNode& probed, const Subdivision& subdivision) {
+  for (const TetBisection& halves : subdivision.tets)
+    if (probed.corner.tet == halves.tet && probed.corner.corner == halves.moved) probed.corner.tet = halves.child;
+  follow_all(probed.star, subdivision, follow_stars);
+}
+
+void follow_places(WorldState& world, const Subdivision& subdivision) {
+  for (PlacedSupport& placed : world.supports) follow_all(placed.corners, subdivision, follow_region);
+  for (PlacedLoad& placed : world.loads) follow_load(placed, subdivision);
+  for (PlacedProbe& placed : world.probes)
+    for (ProbedNode& probed : placed.nodes) follow_probe(probed, subdivision);
+  update_supports(world, world.time, 0);
+}
+
+}  // namespace
+
+void follow_subdivision(WorldState& world, const Subdivision& subdivision) {
+  if (subdivision.tets.empty()) return;
+  for (const EdgeNode& node : subdivision.nodes) world.nodes.append_between(node);
+  std::set<NodeId> relumped;  // new ones weigh nothing yet
+  for (const EdgeNode& node : subdivision.nodes) relumped.insert({node.node, node.a, node.b});
+  world.energy.regime_change += kinetic_energy_of(world, relumped);
+  for (const TetBisection& halves : subdivision.tets) append_element(world, halves);
+  if (!world.edges.offsets.empty()) world.tet_edges.edit().of_tet.resize(world.mesh->tets.size());
+  std::vector<RestElement>& rest_elements = world.elements.rest_elements.edit();
+  for (const TetBisection& halves : subdivision.tets)
+    for (TetId tet : {halves.tet, halves.child})
+      rest_elements[tet] = rest_element(corners_of(world.mesh, tet, world.mesh->rest_positions));
+  for (const EdgeNode& node : subdivision.nodes)
+    for (NodeId changed : {node.node, node.a, node.b}) world.nodes.masses[changed] = node_mass(world, changed);
+  world.energy.regime_change -= kinetic_energy_of(world, relumped);
+  follow_places(world, subdivision);
+}
+
+void record_motion(const WorldState& world, const Body& body, MotionsBefore& motions) {
+  const auto [noted, is_new] = motions.try_emplace(body.id);
+  if (!is_new) return;
+  const bool is_held = std::ranges::any_of(body.nodes, [&](NodeId node) { return world.nodes.has_support[node] != 0; });
+  if (!is_held) noted->second = motion_of(world, body);
+}
+
+void restore_angular_momentum(WorldState& world, const Body& body, const RigidMotion& before) {
+  const RigidMotion now = motion_of(world, body);
+  const Vec3 spin = now.inertia.inverse() * (before.inertia * before.angular_velocity) - now.angular_velocity;
+  for (NodeId node : body.nodes) world.nodes.velocities[node] += spin.cross(world.nodes.positions[node] - now.center);
+}
+
+void restore_angular_momentum(WorldState& world, const MotionsBefore& motions) {
+  for (const auto& [id, before] : motions) {
+    if (!before) continue;
+    Body& body = world.bodies[id];
+    body.nodes = nodes_of(world.mesh, body.tets);
+    world.energy.regime_change += kinetic_energy_of(world, body.nodes);
+    restore_angular_momentum(world, body, *before);
+    world.energy.regime_change -= kinetic_energy_of(world, body.nodes);
+  }
+}
+
+}  // namespace griffith

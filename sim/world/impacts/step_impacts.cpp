@@ -1,0 +1,134 @@
+#include "sim/world/impacts/step_impacts.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "sim/core/parallel.h"
+#include "sim/world/conditions/loads.h"
+#include "sim/world/contact/contact_phase.h"
+#include "sim/world/explicit/similarity.h"
+#include "sim/world/regime/rest_phase.h"
+
+namespace griffith {
+namespace {
+
+/// Fraction of a step's budget for the trial of an impact, or for following it alone.
+constexpr double kShareOfBudget = 1.0 / 8;
+
+std::pair<ProxyId, ProxyId> key_of(const Impact& impact) { return std::minmax(impact.met.a, impact.met.b); }
+
+double work_of_one(const WorldState& world) { return 1e3 * kShareOfBudget * world.model->scene.simulation.step_budget; }
+
+/// True if two pieces belong to one scene body: they touch in shared microsteps if only cracks separated them.
+bool are_of_one_body(const WorldState& world, const Impact& impact) {
+  const auto [a, b] = impact.bodies;
+  return a.valid() && b.valid() && world.bodies[a].scene_body == world.bodies[b].scene_body;
+}
+
+/// True if the waves of an impact end within a small part of a step: in short steps they are visible.
+bool is_short(const WorldState& world, const Impact& impact) {
+  constexpr double kLongest = 1.0 / 8;  // of a step
+  const double longest = kLongest * world.model->scene.simulation.time_step;
+  for (int i = 0; i < 2; ++i)
+    if (impact.deforms[i] && impact_window(world, world.bodies[impact.bodies[i]]) > longest) return false;
+  return true;
+}
+
+/// True if an impact is judged by itself.
+bool has_trial(const WorldState& world, const Impact& impact) {
+  return !is_shot(world, impact) && is_short(world, impact) && expected_work(world, impact) <= work_of_one(world);
+}
+
+}  // namespace
+
+bool StepImpacts::is_safe(const Impact& impact) const {
+  constexpr double kSame = 1.1;  // speed, of one that was tried
+  const auto known = safe_speeds_.find(key_of(impact));
+  return known != safe_speeds_.end() && impact.met.approach <= kSame * known->second;
+}
+
+bool StepImpacts::goes_alone(const WorldState& world, const Impact& impact) const {
+  for (int i = 0; i < 2; ++i) {
+    const BodyId id = impact.bodies[i];
+    if (id.valid() && (world.bodies[id].explicit_state || (impact.deforms[i] && world.bodies[id].supported())))
+      return false;
+  }
+  return is_short(world, impact);
+}
+
+Flights StepImpacts::flights_of(const Impact& impact) const {
+  Flights flights;
+  for (int i = 0; i < 2; ++i) {
+    const auto ahead = ahead_.find(impact.bodies[i]);
+    flights[i] = impact.met.strike - (ahead == ahead_.end() ? 0 : ahead->second);
+  }
+  return flights;
+}
+
+bool StepImpacts::is_ahead(const Impact& impact) const {
+  return std::ranges::any_of(impact.bodies, [&](BodyId id) { return ahead_.contains(id); });
+}
+
+std::vector<Impact> StepImpacts::find(const WorldState& world, double duration) {
+  std::vector<Impact> impacts = harmful_impacts(world, duration), shared;
+  std::erase_if(impacts, [&](const Impact& impact) {
+    return is_safe(impact) || (are_of_one_body(world, impact) && !goes_alone(world, impact));
+  });
+  std::vector<TrialOutcome> outcomes(impacts.size());
+  parallel_for(static_cast<int>(impacts.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      outcomes[i].harmful = true;
+      if (has_trial(world, impacts[i])) outcomes[i] = try_impact(world, impacts[i], flights_of(impacts[i]));
+    }
+  });
+  alone_.clear(), safe_bodies_.clear();
+  for (std::size_t i = 0; i < impacts.size(); ++i) {
+    work_ += outcomes[i].work;
+    if (!outcomes[i].harmful) {
+      safe_speeds_[key_of(impacts[i])] = impacts[i].met.approach;
+      safe_bodies_.insert(safe_bodies_.end(), impacts[i].bodies.begin(), impacts[i].bodies.end());
+    } else if (outcomes[i].touched && goes_alone(world, impacts[i])) {
+      alone_.push_back({impacts[i], outcomes[i].contact});
+    } else if (!are_of_one_body(world, impacts[i])) {
+      shared.push_back(impacts[i]);
+    }
+  }
+  std::ranges::stable_sort(alone_, {}, [](const Alone& alone) { return alone.impact.met.strike; });
+  return shared;
+}
+
+/// Makes free bodies rigid for which only safe impacts and no straining loads are ahead: the mean force of an impact in
+/// a step does not predict its stress.
+void StepImpacts::turn_rigid(WorldState& world) {
+  const double time_step = world.model->scene.simulation.time_step;
+  const std::vector<bool> strained = strained_bodies(world, {world.time, world.time + time_step});
+  for (const BodyId id : std::exchange(safe_bodies_, {}))
+    if (id.valid() && !strained[id]) rigidify_if_quiescent(world, world.bodies[id]);
+}
+
+void StepImpacts::follow_alone(WorldState& world, double duration) {
+  turn_rigid(world);
+  for (Alone& alone : std::exchange(alone_, {})) {
+    if (alone.impact.met.strike > duration) break;
+    if (is_ahead(alone.impact)) {  // it has met something else since
+      const TrialOutcome outcome = try_impact(world, alone.impact, flights_of(alone.impact));
+      work_ += outcome.work;
+      if (!outcome.harmful) continue;
+      alone.contact = outcome.contact;
+    }
+    const Followed followed = follow_impact(world, alone.impact, flights_of(alone.impact), alone.contact);
+    for (const BodyId id : followed.bodies) ahead_[id] = alone.impact.met.strike + alone.contact + followed.time;
+    work_ += followed.work;
+    microsteps_ += followed.microsteps;
+  }
+  if (!ahead_.empty()) place_proxies(world);
+}
+
+void StepImpacts::catch_up(WorldState& world) {
+  if (ahead_.empty()) return;
+  for (const auto& [id, time] : ahead_) fly(world, world.bodies[id], -time);
+  ahead_.clear();
+  place_proxies(world);
+}
+
+}  // namespace griffith

@@ -1,0 +1,106 @@
+#include "sim/world/impacts/struck_bodies.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "sim/world/bodies/bodies.h"
+#include "sim/world/explicit/similarity.h"
+#include "sim/world/impacts/expected_impacts.h"
+
+namespace griffith {
+
+namespace {
+
+/// True if an impact at this speed is slow against a body's waves [m/s].
+bool suits_speed(const WorldState& world, const Body& body, double speed) {
+  constexpr double kMaxMach = 0.3;
+  return speed < kMaxMach * bar_wave_speed(world.material_of(body));
+}
+
+}  // namespace
+
+bool suits_microsteps(const WorldState& world, const Body& body, double impact_speed) {
+  constexpr double kMaxStrain = 0.05, kFar = 0.1;  // that breaks it; that it has
+  constexpr double kMaxFrequency = 200;            // in bar wave speeds over the mean edge length
+  const Material& material = world.material_of(body);
+  return material.tensile_strength < kMaxStrain * material.young_modulus &&
+         suits_speed(world, body, std::max(impact_speed, inner_speed(world, body))) &&
+         highest_frequency(world, body) * body.element_size < kMaxFrequency * bar_wave_speed(material) &&
+         !(body.is_deformable() && is_strained_by(world, body, kFar));
+}
+
+bool have_just_parted(const WorldState& world, BodyId a, BodyId b) {
+  constexpr double kApart = 0.1;  // [s]
+  if (!a.valid() || !b.valid() || world.bodies[a].scene_body != world.bodies[b].scene_body) return false;
+  return world.bodies[a].explicit_state || world.bodies[b].explicit_state ||
+         world.time - std::max(world.bodies[a].explicit_ended, world.bodies[b].explicit_ended) < kApart;
+}
+
+bool is_shot(const WorldState& world, const Impact& impact) {
+  for (int i = 0; i < 2; ++i)
+    if (!impact.bodies[i].valid() && !world.contact_world.is_ground(impact.objects()[i])) return true;
+  return false;
+}
+
+namespace {
+
+/// True if a body that hits another without damage to itself must deform too: as a rigid one it would hit up to twice
+/// as hard. In a much heavier one, waves spread so far that it hardly deforms.
+bool yields_to(const Body& body, const Body& struck) {
+  constexpr double kMuchHeavier = 8;
+  return body.motion.mass < kMuchHeavier * struck.motion.mass;
+}
+
+/// Finds which bodies an impact could damage. Data of a body are computed once.
+class ImpactClassifier {
+ public:
+  explicit ImpactClassifier(const WorldState& world) : world_(world), known_(world.bodies.size()) {}
+
+  /// True if waves are to be followed in the one of two bodies that is not in explicit dynamics yet, `other` the one
+  /// that it meets.
+  bool deforms(BodyId id, BodyId other, double approach) {
+    if (!id.valid() || world_.bodies[id].explicit_state || world_.bodies[id].tets.size() == 1) return false;
+    if (could_damage(id, approach)) return true;
+    return could_damage(other, approach) && yields_to(world_.bodies[id], world_.bodies[other]) && suits(id, approach);
+  }
+
+ private:
+  struct Known {
+    double harmful_impact_speed = 0;  ///< [m/s]
+    bool suits = false;               ///< microsteps, at no speed of impact
+  };
+
+  bool suits(BodyId id, double approach) { return known(id).suits && suits_speed(world_, world_.bodies[id], approach); }
+  bool could_damage(BodyId id, double approach) {
+    return id.valid() && approach >= known(id).harmful_impact_speed && suits(id, approach);
+  }
+  const Known& known(BodyId id) {
+    std::optional<Known>& of_body = known_[id];
+    const Body& body = world_.bodies[id];
+    if (!of_body) of_body = Known{harmful_impact_speed(world_, body), suits_microsteps(world_, body, 0)};
+    return *of_body;
+  }
+
+  const WorldState& world_;
+  std::vector<std::optional<Known>> known_;
+};
+
+}  // namespace
+
+std::vector<Impact> harmful_impacts(const WorldState& world, double duration) {
+  const auto may_begin = [&](BodyId id) { return id.valid() && !world.bodies[id].explicit_state; };
+  const auto matters = [&](BodyId a, BodyId b) {
+    return (may_begin(a) || may_begin(b)) && !have_just_parted(world, a, b);
+  };
+  std::vector<Impact> impacts;
+  ImpactClassifier classifier(world);
+  for (const ContactWorld::Encounter& met : expected_impacts(world, duration, matters)) {
+    Impact impact{met, {world.body_of(met.a), world.body_of(met.b)}, {}};
+    for (int i = 0; i < 2; ++i)
+      impact.deforms[i] = classifier.deforms(impact.bodies[i], impact.bodies[1 - i], met.approach);
+    if (impact.deforms[0] || impact.deforms[1]) impacts.push_back(impact);
+  }
+  return impacts;
+}
+
+}  // namespace griffith

@@ -1,0 +1,241 @@
+#include "sim/world/motion/elastic_phase.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "sim/core/parallel.h"
+#include "sim/elasticity/corner_traction.h"
+#include "sim/elasticity/plasticity.h"
+#include "sim/mesh/corner_sums.h"
+#include "sim/solver/pivot.h"
+#include "sim/world/bodies/bodies.h"
+#include "sim/world/explicit/similarity.h"
+#include "sim/world/motion/explicit_integration.h"
+#include "sim/world/motion/motion_phase.h"
+#include "sim/world/regime/regime_change.h"
+#include "sim/world/state/element_states.h"
+#include "sim/world/state/world_state.h"
+
+namespace griffith {
+namespace {
+
+/// Adds elastic and external forces of the body's nodes, per node of the mesh. Writes only the body's own entries, also
+/// those of `sums`.
+void add_linear_forces(const WorldState& world, const Body& body, std::span<simd::WideQuad> sums,
+                       std::vector<Vec3>& forces) {
+  const ElementArrays& elements = world.elements;
+  const auto add = [&](TetId tet, const std::array<simd::WideQuad*, 4>& to) {
+    const RestElement& rest = elements.rest_elements[tet];
+    const auto tractions = one_by_one(corner_tractions(elements.states[tet], corner_gradients(rest)));
+    for (int i = 0; i < 4; ++i) *to[i] -= rest.volume * tractions[i];
+  };
+  parallel_parts(static_cast<int>(body.nodes.size()), 512, [&](int begin, int end) {
+    const std::span<const NodeId> nodes = std::span(body.nodes).subspan(begin, end - begin);
+    for (const NodeId node : nodes) sums[node] = simd::WideQuad{};
+    add_at_corners<simd::WideQuad>(world.mesh->tets, body.tets, nodes, sums, add);
+    for (const NodeId node : nodes) forces[node] += Vec3(sums[node][0], sums[node][1], sums[node][2]);
+  });
+}
+
+/// Does the same for a quadratic body, and sets the elastic forces of its edges, per edge of the mesh [N].
+void add_quadratic_forces(const WorldState& world, const Body& body, std::vector<Vec3>& forces,
+                          std::vector<Vec3>& edge_forces) {
+  const ElementArrays& elements = world.elements;
+  std::vector<QuadraticForces> of_tets(body.tets.size());
+  parallel_for(static_cast<int>(body.tets.size()), 512, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      of_tets[i] = quadratic_forces(elements.rest_elements[body.tets[i]], elements.quadratic_states[body.tets[i]]);
+  });
+  for (const EdgeId edge : body.edges) edge_forces[edge].setZero();
+  for (std::size_t i = 0; i < body.tets.size(); ++i) {
+    const std::array<NodeId, 4>& corners = world.mesh->tets[body.tets[i]];
+    const std::array<EdgeId, 6>& edges = world.tet_edges->of_tet[body.tets[i]];
+    for (int k = 0; k < 4; ++k) forces[corners[k]] += of_tets[i].corners.col(k);
+    for (int k = 0; k < 6; ++k) edge_forces[edges[k]] += of_tets[i].edges.col(k);
+  }
+}
+
+}  // namespace
+
+void add_elastic_forces(const WorldState& world, const Body& body, std::vector<Vec3>& forces, Scratch& scratch) {
+  if (body.edges.empty()) {
+    add_linear_forces(world, body, scratch.elastic_forces, forces);
+  } else {
+    add_quadratic_forces(world, body, forces, scratch.edge_forces);
+  }
+}
+
+namespace {
+
+/// Removes the torque of the elastic forces [N·m] from the forces on a free body. With F = R U, corotational stress is
+/// symmetric in the frame of R. If plastic strain and U have different axes, a torque remains that would let the body
+/// spin itself up. Forces on the edges of quadratic tets also have one, which their nodes balance.
+void remove_inner_torque(const WorldState& world, const Body& body, const Vec3& torque, std::vector<Vec3>& forces) {
+  const Vec3 spin = body.motion.inertia.inverse() * torque;
+  for (NodeId node : body.nodes)
+    forces[node] -= world.nodes.masses[node] * spin.cross(world.nodes.positions[node] - body.motion.center);
+}
+
+/// Rotates the forces on a body that swings about a pivot to its orientation in the middle of a substep of `dt` [s].
+void turn_forces_halfway(const WorldState& world, const Body& body, double dt, std::vector<Vec3>& forces) {
+  const auto pivot = pivot_of(world, body);
+  if (!pivot) return;
+  const auto count = static_cast<Eigen::Index>(body.nodes.size());
+  NodeVectors positions(3, count), velocities(3, count), acting(3, count);
+  Eigen::VectorXd masses(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const NodeId node = body.nodes[i];
+    positions.col(i) = world.nodes.positions[node];
+    velocities.col(i) = world.nodes.velocities[node];
+    acting.col(i) = forces[node];
+    masses[i] = world.nodes.masses[node];
+  }
+  const Vec3 half_turn = 0.5 * dt * turning_about(*pivot, positions, velocities, masses).spin;
+  const Vec3 change = swing_acceleration(*pivot, positions, masses, acting, half_turn) -
+                      swing_acceleration(*pivot, positions, masses, acting, Vec3::Zero());
+  for (NodeId node : body.nodes)
+    forces[node] += world.nodes.masses[node] * change.cross(world.nodes.positions[node] - pivot->place);
+}
+
+SolveReport predict_elastic(WorldState& world, Body& body, std::vector<Vec3>& forces, double dt) {
+  const bool has_inner_torque = world.material_of(body).yield_strength || !body.edges.empty();
+  const bool spins_freely = !body.supported() && has_inner_torque;
+  const Vec3 outer_torque = spins_freely ? wrench_of(world, body, forces).torque : Vec3(Vec3::Zero());
+  if (body.supported() && !world.integrates_explicitly()) turn_forces_halfway(world, body, dt, forces);
+  add_elastic_forces(world, body, forces, world.scratch);
+  if (spins_freely) remove_inner_torque(world, body, wrench_of(world, body, forces).torque - outer_torque, forces);
+  if (world.integrates_explicitly()) {
+    predict_explicitly(world, body, forces, dt);
+    return {};
+  }
+  const SolveReport report =
+      body.system->solve(implicit_step(world, body, dt), world.nodes.positions, forces, world.nodes.masses,
+                         world.nodes.constraints, world.nodes.velocities,
+                         {world.edges.offsets, world.scratch.edge_forces, world.edges.masses, world.edges.velocities});
+  read_back_reactions(body, world.nodes.reactions);
+  return report;
+}
+
+}  // namespace
+
+ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt) {
+  const Material& material = world.material_of(body);
+  const SimulationSettings& settings = world.model->scene.simulation;
+  return {dt, material.mass_damping, material.stiffness_damping, settings.relative_residual,
+          settings.max_solver_iterations};
+}
+
+namespace {
+
+void update_quadratic_elements(WorldState& world, const Body& body) {
+  ElementArrays& elements = world.elements;
+  const ElasticLaw law = effective_elastic_law(world, body);
+  const double similarity = body.explicit_state ? body.explicit_state->similarity : 1;
+  std::vector<ElementState>& states = elements.states.edit();
+  std::vector<QuadraticState>& quadratic = elements.quadratic_states.edit();
+  std::vector<Mat3>& stresses = elements.stresses.edit();
+  parallel_for(static_cast<int>(body.tets.size()), 512, [&](int begin, int end) {
+    for (const TetId tet : std::span(body.tets).subspan(begin, end - begin)) {
+      const QuadraticStates found =
+          quadratic_states(law, elements.rest_elements[tet], corners_of(world.mesh, tet, world.nodes.positions),
+                           edges_of(world.tet_edges, tet, world.edges.offsets), elements.stress_free_strain(tet));
+      states[tet] = found.mean;
+      states[tet].energy_density *= similarity;
+      quadratic[tet] = found.state;
+      stresses[tet] = found.mean_cauchy_stress;
+    }
+  });
+}
+
+}  // namespace
+
+void update_elements(WorldState& world, const Body& body) {
+  if (!body.edges.empty()) return update_quadratic_elements(world, body);
+  ElementArrays& elements = world.elements;
+  std::vector<ElementState>& states = elements.states.edit();
+  std::vector<Mat3>& stresses = elements.stresses.edit();
+  const PlacedElements placed{effective_elastic_law(world, body), world.mesh, elements.rest_elements,
+                              world.nodes.positions};
+  const std::optional<PlasticLaw> plastic = plastic_law(world.material_of(body));
+  const double similarity = body.explicit_state ? body.explicit_state->similarity : 1;
+  const auto strain_of = [&](TetId tet, const FourDeformations& deformations, int lane) {
+    if (plastic) elements.plastic_strains[tet] = flow(*plastic, deformations.of(lane), elements.plastic_strains[tet]);
+    return elements.stress_free_strain(tet);
+  };
+  const auto write = [&](TetId tet, const FourStates& found, int lane) {
+    states[tet] = found.of(lane);
+    states[tet].energy_density *= similarity;
+    stresses[tet] = found.cauchy_stress.of(lane);
+  };
+  parallel_for(static_cast<int>(body.tets.size()), 1024, [&](int begin, int end) {
+    find_states(placed, std::span(body.tets).subspan(begin, end - begin), strain_of, write);
+  });
+}
+
+void update_elements(WorldState& world) {
+  for (const Body& body : world.bodies)
+    if (body.is_deformable()) update_elements(world, body);
+}
+
+void assemble_systems(WorldState& world, double dt) {
+  parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      if (world.bodies[i].is_deformable()) assemble_system(world, world.bodies[i], dt);
+  });
+}
+
+void assemble_system(const WorldState& world, Body& body, double dt) {
+  if (world.integrates_explicitly()) return;
+  body.system->assemble(implicit_step(world, body, dt), elastic_law(world.material_of(body)),
+                        world.elements.rest_elements, world.elements.states, world.nodes.positions, world.nodes.masses,
+                        world.edges.masses);
+}
+
+void read_back_reactions(const Body& body, std::vector<Vec3>& reactions) {
+  const std::span<const NodeId> supports = body.system->supports();
+  for (std::size_t i = 0; i < supports.size(); ++i) reactions[supports[i]] = body.system->reaction_forces()[i];
+}
+
+namespace {
+
+void count_solve(const SolveReport& solve, StepReport& report) {
+  report.solver_iterations = std::max(report.solver_iterations, solve.iterations);
+  report.max_relative_residual = std::max(report.max_relative_residual, solve.relative_residual);
+  report.unconverged_solves += !solve.converged;
+}
+
+}  // namespace
+
+void predict_velocities(WorldState& world, Body& body, std::vector<Vec3> forces, double dt) {
+  count_solve(predict_elastic(world, body, forces, dt), world.report);
+}
+
+void predict_velocities(WorldState& world, std::vector<Vec3> forces, double dt) {
+  world.scratch.elastic_forces.resize(world.nodes.positions.size());
+  world.scratch.edge_forces.resize(world.edges.offsets.size());
+  std::vector<SolveReport> reports(world.bodies.size());
+  parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      Body& body = world.bodies[i];
+      if (body.asleep) continue;
+      for (const NodeId node : body.nodes) world.nodes.reactions[node].setZero();
+      if (body.explicit_state) continue;
+      BodyStep& step = world.scratch.bodies[body.id];
+      if (body.rigid) {
+        predict_rigid(world, body, forces, dt, step.start);
+      } else {
+        step.energy = mechanical_energy(world, body);
+        step.contact_work = 0;
+        reports[i] = predict_elastic(world, body, forces, dt);
+      }
+    }
+  });
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    freeze_if_broken_down(world, world.bodies[i]);
+    count_solve(reports[i], world.report);
+  }
+}
+
+}  // namespace griffith

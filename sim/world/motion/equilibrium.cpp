@@ -1,0 +1,133 @@
+#include "sim/world/motion/equilibrium.h"
+
+#include <algorithm>
+
+#include "sim/core/parallel.h"
+#include "sim/solver/static_solve.h"
+#include "sim/world/bodies/bodies.h"
+#include "sim/world/energy/energy_phase.h"
+#include "sim/world/motion/elastic_phase.h"
+#include "sim/world/regime/regime_change.h"
+#include "sim/world/state/element_states.h"
+#include "sim/world/state/world_state.h"
+
+namespace griffith {
+namespace {
+
+/// Adds a quadratic body's edges to a problem, which sets their offsets in the world.
+void add_edges(WorldState& world, const Body& body, StaticProblem& problem) {
+  std::vector<QuadraticState>& quadratic = world.elements.quadratic_states.edit();
+  problem.edges.emplace(StaticEdges{world.tet_edges, world.edges.offsets, quadratic});
+  problem.evaluate = [&world, &body, &quadratic, law = problem.law](std::span<const Vec3> positions,
+                                                                    std::span<ElementState> states) {
+    parallel_for(static_cast<int>(body.tets.size()), 512, [&](int begin, int end) {
+      for (const TetId tet : std::span(body.tets).subspan(begin, end - begin)) {
+        const QuadraticStates found =
+            quadratic_states(law, world.elements.rest_elements[tet], corners_of(world.mesh, tet, positions),
+                             edges_of(world.tet_edges, tet, world.edges.offsets), world.elements.plastic_strain(tet));
+        states[tet] = found.mean;
+        quadratic[tet] = found.state;
+      }
+    });
+  };
+}
+
+StaticProblem problem_of(WorldState& world, const Body& body, std::span<const NodeConstraint> displacements,
+                         std::span<const Vec3> loads, std::span<const PressedFace> pressed) {
+  const ElasticLaw law = elastic_law(world.material_of(body));
+  const auto evaluate = [&world, &body, law](std::span<const Vec3> positions, std::span<ElementState> states) {
+    const PlacedElements placed{law, world.mesh, world.elements.rest_elements, positions};
+    parallel_for(static_cast<int>(body.tets.size()), 1024, [&](int begin, int end) {
+      find_states(
+          placed, std::span(body.tets).subspan(begin, end - begin),
+          [&](TetId tet, const FourDeformations&, int) { return world.elements.plastic_strain(tet); },
+          [&](TetId tet, const FourStates& found, int lane) { states[tet] = found.of(lane); });
+    });
+  };
+  StaticProblem problem{world.mesh, body.tets, world.elements.rest_elements, law, world.nodes.masses, displacements,
+                        loads,      evaluate};
+  if (!body.edges.empty()) add_edges(world, body, problem);
+  if (!pressed.empty())
+    problem.add_follower_loads = [pressed](std::span<const Vec3> positions, std::span<Vec3> forces) {
+      add_pressure(pressed, positions, forces);
+    };
+  return problem;
+}
+
+void settle(WorldState& world, Body& body, const StaticProblem& problem, const Monitor& monitor) {
+  StaticSettings settings;
+  settings.cancelled = monitor.cancelled;
+  const StaticReport report = solve_static(problem, settings, world.nodes.positions, world.elements.states.edit());
+  if (monitor.is_cancelled()) throw Cancelled();
+  for (NodeId node : body.nodes) world.nodes.velocities[node] = world.nodes.reactions[node] = Vec3::Zero();
+  for (EdgeId edge : body.edges) world.edges.velocities[edge].setZero();
+  for (std::size_t i = 0; i < report.supports.size(); ++i)
+    world.nodes.reactions[report.supports[i]] = report.reaction_forces[i];
+  update_motion(world, body);
+  world.report.solver_iterations = std::max(world.report.solver_iterations, report.linear_iterations);
+  world.report.max_relative_residual = std::max(world.report.max_relative_residual, report.relative_residual);
+  world.report.unconverged_solves += !report.converged;
+}
+
+/// True if a body has no equilibrium near its place: one that hangs by a node, or that has buckled.
+bool has_run_away(const WorldState& world, const Body& body, const BodySnapshot& before) {
+  constexpr double kFar = 100;  // extents
+  const double far = kFar * body.extent;
+  for (std::size_t i = 0; i < body.nodes.size(); ++i)
+    if (!((world.nodes.positions[body.nodes[i]] - before.positions[i]).norm() < far)) return true;
+  return std::ranges::any_of(body.edges, [&](EdgeId edge) { return !(world.edges.offsets[edge].norm() < far); });
+}
+
+/// Puts a body without equilibrium back; its solve counts as unconverged.
+void put_back(WorldState& world, Body& body, const BodySnapshot& before) {
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) world.nodes.positions[body.nodes[i]] = before.positions[i];
+  for (std::size_t i = 0; i < body.edges.size(); ++i) world.edges.offsets[body.edges[i]] = before.offsets[i];
+  update_motion(world, body);
+  update_elements(world, body);
+}
+
+bool has_residual_stress(const WorldState& world, const Body& body) {
+  return world.model->scene.bodies[body.scene_body].residual_stress.has_value();
+}
+
+/// Gives a body in equilibrium back the velocities that it starts with.
+void start_in_motion(WorldState& world, Body& body, const std::vector<Vec3>& velocities,
+                     const std::vector<Vec3>& of_edges) {
+  for (const NodeId node : body.nodes) world.nodes.velocities[node] = velocities[node];
+  for (const EdgeId edge : body.edges) world.edges.velocities[edge] = of_edges[edge];
+  update_motion(world, body);
+}
+
+}  // namespace
+
+void find_equilibrium(WorldState& world, double time, double displacement_time,
+                      const std::function<bool(const Body&)>& concerns, const Monitor& monitor) {
+  std::vector<NodeConstraint> displacements = world.nodes.constraints;
+  for (NodeConstraint& constraint : displacements) constraint.velocity *= displacement_time;
+  std::vector<Vec3> loads(world.nodes.positions.size());
+  for (std::size_t i = 0; i < loads.size(); ++i) loads[i] = world.nodes.masses[i] * world.model->scene.gravity;
+  add_dead_forces(world, time, loads);
+  const std::vector<std::vector<PressedFace>> pressed = pressed_faces(world, time);
+  for (Body& body : world.bodies) {
+    if (body.rigid || !concerns(body)) continue;
+    const BodySnapshot before = snapshot(world, body);
+    const std::vector<Mat3> stresses = stresses_of(world, body);
+    settle(world, body, problem_of(world, body, displacements, loads, pressed[body.id]), monitor);
+    if (has_run_away(world, body, before)) put_back(world, body, before);
+    world.energy += spent_in_equilibrium(world, body, before, stresses, displacement_time);
+    freeze_if_broken_down(world, body);
+  }
+}
+
+void find_static_start(WorldState& world, int scene_body, const Monitor& monitor) {
+  if (!world.model->scene.simulation.static_start || world.model->scene.analysis != Analysis::dynamic) return;
+  const auto concerns = [&](const Body& body) {
+    return (body.supported() || has_residual_stress(world, body)) && (scene_body < 0 || body.scene_body == scene_body);
+  };
+  const std::vector<Vec3> velocities = world.nodes.velocities, of_edges = world.edges.velocities;
+  find_equilibrium(world, 0, 0, concerns, monitor);
+  for (Body& body : world.bodies)
+    if (!body.supported() && concerns(body)) start_in_motion(world, body, velocities, of_edges);
+}
+
+}  // namespace griffith

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/solver/pivot.h"
+#include "sim/world/state/world_state.h"
+
+namespace griffith {
+
+/// Masses of a body's nodes [kg].
+Eigen::VectorXd masses_of(const WorldState& world, const Body& body);
+/// Returns the rotation of a body about its pivot.
+Turning turning_of(const WorldState& world, const Body& body, const Pivot& pivot);
+/// Adds the velocities that a spin [rad/s] of the whole body gives its edges.
+void add_spin_to_edges(const Body& body, const Vec3& spin, EdgeArrays& edges);
+
+/// Moves a free body by its velocities: their rigid part rotates it, the rest deforms it. Along the tangents, a
+/// rotation by the angle a would lengthen it by a²/2, and a stiff body would break. Linear and angular momentum are
+/// conserved.
+void move_free(WorldState& world, const Body& body, double dt);
+/// Moves a supported body that turns about a pivot; its angular momentum about it is kept.
+void move_swinging(WorldState& world, const Body& body, const Pivot& pivot, const std::vector<Vec3>& external,
+                   double dt);
+
+}  // namespace griffith
