@@ -4,7 +4,7 @@
 
 #include "renderer/camera.h"
 #include "renderer/image.h"
-#include "sim/world/frame.h"
+#include "sim/world/output/frame.h"
 
 namespace griffith::app {
 
