@@ -1,32 +1,15 @@
 #include "sim/world/bodies/bonded_pieces.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "sim/fracture/cohesion.h"
+#include "sim/geometry/disjoint_sets.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/fracture/fracture_phase.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {
 namespace {
-
-/// Sets of connected parts (union–find). The smallest part of a set represents it.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0); }
-  int root(int part) const {
-    while (parents_[part] != part) part = parents_[part];
-    return part;
-  }
-  void join(int first, int second) {
-    first = root(first), second = root(second);
-    parents_[std::max(first, second)] = std::min(first, second);
-  }
-
- private:
-  std::vector<int> parents_;
-};
 
 /// Returns the part of each tet of a body, in the order of its tets.
 std::vector<int> part_of_tets(const Body& body, const std::vector<std::vector<TetId>>& parts) {
@@ -57,14 +40,14 @@ void each_bond_between(const WorldState& world, const Body& body, const std::vec
 std::vector<std::vector<TetId>> bonded_pieces(const WorldState& world, const Body& body) {
   std::vector<std::vector<TetId>> parts = connected_components(world.mesh, body.tets);
   if (parts.size() == 1 || world.cohesive_faces.empty()) return parts;
-  Sets sets(parts.size());
+  DisjointSets sets(static_cast<int>(parts.size()));
   each_bond_between(world, body, parts, [&](int first, int second, const CohesiveFace& face) {
     if (std::ranges::any_of(face.bonds, &Bond::holds)) sets.join(first, second);
   });
   std::vector<std::vector<TetId>> pieces;
   std::vector<int> piece_of(parts.size(), -1);
   for (int part = 0; part < static_cast<int>(parts.size()); ++part) {
-    int& piece = piece_of[sets.root(part)];
+    int& piece = piece_of[sets.find(part)];
     if (piece < 0) {
       piece = static_cast<int>(pieces.size());
       pieces.emplace_back();
