@@ -15,7 +15,7 @@ struct FractureLaw {
   FractureCriterion criterion;
   std::string_view key;      ///< as in a scene file: "strength"
   std::string_view label;    ///< as in a form: "strength surface"
-  std::string_view unit;     ///< of load and resistance: "Pa" or "N"
+  std::string_view unit;     ///< unit of load and resistance: "Pa" or "N"
   std::string_view meaning;  ///< a phrase for the form
   double Material::*resistance;
   /// Returns the load of a node with that candidate plane [unit].
