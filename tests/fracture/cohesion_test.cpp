@@ -42,15 +42,26 @@ TEST(Cohesion, ABondHoldsALoadBelowItsForceAndTakesNothing) {
   EXPECT_NEAR(held.work, 0, 1e-12);
 }
 
-TEST(Cohesion, WhatABondHasTakenIsSpent) {
+TEST(Cohesion, BelowItsLargestOpeningABondIsElastic) {
   Bond bond = kWhole;
   const double compliance = 1e-12;
-  EXPECT_GT(pull(bond, 1e-5, compliance), 0);
+  EXPECT_NEAR(pull(bond, 1e-5, compliance), kWhole.force, 1);
   const Bond opened = bond;
-  EXPECT_EQ(pull(bond, 0.5 * opened.opening, compliance), 0) << "it does not act on what closes";
-  EXPECT_EQ(bond.opening, opened.opening);
-  EXPECT_NEAR(pull(bond, 1.5 * opened.opening, compliance), kWhole.force * (1 - opened.opening / kWhole.critical), 1);
+  for (const double fraction : {0.75, 0.5, 0.0, 0.25, 0.9}) {
+    EXPECT_NEAR(pull(bond, fraction * opened.opening, compliance), fraction * opened.held(), 1) << fraction;
+    EXPECT_EQ(bond.opening, opened.opening);
+    const double returned = 0.5 * opened.held() * opened.opening * (1 - fraction * fraction);
+    EXPECT_NEAR(bond.energy_left(), opened.energy_left() + returned, 1e-5 * kWhole.energy_left()) << fraction;
+  }
+  EXPECT_NEAR(pull(bond, 1.5 * opened.opening, compliance), opened.held(), 1);
   EXPECT_LT(bond.energy_left(), opened.energy_left());
+}
+
+TEST(Cohesion, ABondThatOpensAndClosesTakesItsEnergyOnce) {
+  TornMass torn;
+  const double time = std::sqrt(2 * kWhole.critical * torn.mass / (2 * kWhole.force)), dt = time / 4000;
+  for (int i = 0; torn.bond.holds(); ++i) torn.step(dt, (i / 600 % 2 ? -1.5 : 2.0) * kWhole.force);
+  EXPECT_NEAR(torn.work / kWhole.energy_left(), 1, 0.02);
 }
 
 TEST(Cohesion, AFastMotionBreaksABondForNoMoreThanItsEnergy) {
