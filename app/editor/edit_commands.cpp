@@ -4,7 +4,7 @@
 #include "app/editor/editor.h"
 #include "app/editor/editor_commands.h"
 #include "app/editor/entry_edits.h"
-#include "app/editor/new_body.h"
+#include "app/editor/new_entry.h"
 #include "ui/model/entry_choice.h"
 #include "ui/model/entry_place.h"
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <functional>
 
-#include "app/editor/new_body.h"
 #include "app/editor/new_entry.h"
 #include "app/editor/shooting.h"
 #include "app/picture/scene_camera.h"

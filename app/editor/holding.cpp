@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/editor/thickness.h"
+#include "app/shared/flip_search.h"
 #include "sim/core/number_text.h"
 #include "sim/world/setup/starting_overlaps.h"
 
@@ -57,23 +58,17 @@ Material stronger(Material material, double factor) {
 }
 
 CriticalFactor critical_factor(const std::function<bool(double)>& holds, double largest) {
-  constexpr double kClose = 1.01;
-  CriticalFactor found;
-  found.runs = 1;
-  found.breaks_at_one = !holds(1);
-  while (found.breaks_at_one && !found.found && found.breaks < largest) {
-    found.holds = std::min(2 * found.breaks, largest);
-    ++found.runs;
-    if (holds(found.holds)) {
-      found.found = true;
-    } else {
-      found.breaks = found.holds;
-    }
-  }
-  while (found.found && found.holds > kClose * found.breaks) {
-    const double middle = (found.breaks + found.holds) / 2;
-    ++found.runs;
-    (holds(middle) ? found.holds : found.breaks) = middle;
+  const StateAt state = states_of(holds);
+  std::vector<double> factors = {1};
+  while (state({factors.back()})[0][0] == 0 && factors.back() < largest)
+    factors.push_back(std::min(2 * factors.back(), largest));
+  const std::map<double, State> tried = search_flips({.geometric = true}, factors, state);
+  CriticalFactor found{.breaks = factors.back(), .holds = factors.back()};
+  found.runs = static_cast<int>(tried.size());
+  found.breaks_at_one = tried.at(1)[0] == 0;
+  if (const std::vector<Bracket> flips = flips_among(tried); !flips.empty()) {
+    found.found = true;
+    found.breaks = flips.front().below, found.holds = flips.front().above;
   }
   return found;
 }

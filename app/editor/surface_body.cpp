@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "app/editor/new_body.h"
+#include "app/editor/new_entry.h"
 #include "app/picture/placed_tets.h"
 #include "sim/meshing/mesh_quality.h"
 #include "sim/meshing/surface.h"

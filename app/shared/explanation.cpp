@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "sim/fracture/fracture_law.h"
 #include "sim/world/output/node_report.h"
 #include "ui/model/units.h"
 #include "ui/model/verdict.h"
@@ -12,7 +13,7 @@ namespace {
 std::string newtons(double force) { return ui::format_quantity(force, "N"); }
 
 std::string load_line(const NodeReport& report, const Material& material) {
-  return "  now " + ui::format_quantity(report.load, ui::load_unit(material)) + ": " +
+  return "  now " + ui::format_quantity(report.load, fracture_law(material).unit) + ": " +
          ui::origin_of_load(report, material) + ", plane across (" + ui::direction_text(report.normal()) + ")\n";
 }
 
@@ -36,7 +37,7 @@ std::string explanation(const Frame& frame, NodeId node, bool fracture) {
   const NodeReport report = node_report(frame, node);
   const NodeSeparation& separation = report.separation;
   const Material& material = frame.materials[frame.bodies[report.body].scene_body];
-  const char* unit = ui::load_unit(material);
+  const std::string_view unit = fracture_law(material).unit;
   std::string text = "Node " + std::to_string(node.index()) + ", step " + std::to_string(frame.step) + ", " +
                      ui::format_quantity(frame.time, "s") + "\n" + ui::verdict_on(report, frame, fracture).text + "\n";
   if (!report.strained) return text;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "app/shared/flip_search.h"
 #include "app/study/expression.h"
-#include "app/study/flip_search.h"
 #include "app/study/proportion.h"
 #include "app/study/run_request.h"
 #include "app/study/sweep_plan.h"

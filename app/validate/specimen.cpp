@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/study/flip_search.h"
+#include "app/shared/flip_search.h"
 
 namespace griffith::app {
 
@@ -57,11 +57,7 @@ double lowest_breaking(double low, double high, double tolerance, const std::fun
   FlipSearch search;
   search.geometric = true;
   search.tolerance = tolerance;
-  const auto tried = search_flips(search, {low, high}, [&](const std::vector<double>& values) {
-    std::vector<State> states;
-    for (const double value : values) states.push_back({breaks(value) ? 1 : 0});
-    return states;
-  });
+  const auto tried = search_flips(search, {low, high}, states_of(breaks));
   const std::vector<Bracket> flips = flips_among(tried);
   if (flips.empty() || tried.at(low)[0]) return std::numeric_limits<double>::quiet_NaN();
   return std::sqrt(flips[0].below * flips[0].above);

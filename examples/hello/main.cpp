@@ -1,5 +1,5 @@
 // A brick wall made from arrays, and a ball shot at it.
-#include <griffith/sim/world/world.h>
+#include <griffith/world.h>
 
 #include <cstdio>
 

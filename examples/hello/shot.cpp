@@ -1,5 +1,5 @@
-#include <griffith/sim/scene/scene_reader.h>
-#include <griffith/sim/world/world.h>
+#include <griffith/scene.h>
+#include <griffith/world.h>
 
 #include <cstdio>
 

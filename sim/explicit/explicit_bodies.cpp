@@ -6,6 +6,7 @@
 #include "sim/core/parallel.h"
 #include "sim/elasticity/element_frequency.h"
 #include "sim/explicit/stars.h"
+#include "sim/fracture/fracture_law.h"
 
 namespace griffith::explicit_dynamics {
 namespace {
@@ -100,9 +101,8 @@ void ExplicitBodies::add_body(const ElasticLaw& law, double density, std::span<c
 }
 
 void ExplicitBodies::set_strength_surface(const Material& material) {
-  bodies_.back().law.strength_ratio =
-      material.compressive_strength ? static_cast<float>(material.tensile_strength / *material.compressive_strength)
-                                    : 0;
+  const FractureLaw& law = fracture_law(material);
+  bodies_.back().law.strength_ratio = law.strength_ratio ? static_cast<float>(law.strength_ratio(material)) : 0;
 }
 
 void ExplicitBodies::relieve_slivers(const ElasticLaw& law, double density, std::span<const RestElement> rest_elements,

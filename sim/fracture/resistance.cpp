@@ -4,17 +4,18 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/fracture/fracture_law.h"
+
 namespace griffith {
 
 double resistance(const Material& material, double strength_factor) {
-  const bool is_force = material.criterion == FractureCriterion::separation_force;
-  return strength_factor * (is_force ? material.separation_toughness : material.tensile_strength);
+  return strength_factor * material.*fracture_law(material).resistance;
 }
 
 double screening_resistance(const Material& material, bool at_crack_front, double element_size,
                             double strength_factor) {
   const double whole = resistance(material, strength_factor);
-  if (!at_crack_front || material.criterion == FractureCriterion::separation_force) return whole;
+  if (!at_crack_front || !fracture_law(material).is_stress()) return whole;
   constexpr double kFrontFactor = 0.65;
   return std::min(whole, kFrontFactor * material.fracture_toughness / std::sqrt(2 * std::numbers::pi * element_size));
 }

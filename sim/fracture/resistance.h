@@ -4,8 +4,7 @@
 
 namespace griffith {
 
-/// Returns the resistance of a node: the tensile strength [Pa]. With the force criterion it is the separation toughness
-/// [N].
+/// Returns the resistance of a node by its material's fracture law: the tensile strength [Pa], or a force [N].
 ///   strength_factor  fraction of the strength (or of τ) left by the node's flaws (strength_factors())
 double resistance(const Material& material, double strength_factor = 1);
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "sim/fracture/fracture_law.h"
 #include "sim/mesh/mesh_limits.h"
 #include "sim/scene/field.h"
 #include "sim/scene/quantities.h"
@@ -56,7 +57,7 @@ void describe_properties(Archive& archive, Material& m) {
                 "Fracture toughness K_Ic: limits the resistance at crack fronts");
   archive.field("separation_toughness", m.separation_toughness, between(1e-6, 1e15, "N"),
                 "Separation toughness τ: only used by the criterion \"separation_force\"");
-  archive.field("criterion", m.criterion, OneOf{{"strength", "separation_force"}},
+  archive.field("criterion", m.criterion, OneOf{criterion_keys()},
                 "Load compared with the resistance: a stress (independent of the mesh) or the raw eigenvalue");
   archive.field("element_model", m.element_model, OneOf{{"corotational", "green_strain"}},
                 "Strain measure of elements: linear and rotating with the element, or Green's strain");

@@ -3,7 +3,7 @@
 
 #include <fstream>
 
-#include "app/editor/new_body.h"
+#include "app/editor/new_entry.h"
 #include "editor_fixture.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/scene/scene_writer.h"

@@ -213,7 +213,7 @@ TEST(IncludeRules, NoTypeHasTheNameOfAnother) {
 }
 
 TEST(IncludeRules, ExamplesKnowThePackageAlone) {
-  for (const char* forbidden : {"^(sim|renderer|ui|app)/", kBullet, kImGui, kGraphics})
+  for (const char* forbidden : {"^(sim|renderer|ui|app)/", "^griffith/sim/", kBullet, kImGui, kGraphics})
     expect_none("examples", forbidden);
 }
 

@@ -3,8 +3,8 @@
 
 #include <fstream>
 
+#include "app/editor/known_scenes.h"
 #include "app/editor/preferences_file.h"
-#include "app/editor/recent_files.h"
 #include "editor_fixture.h"
 #include "sim/core/read_file.h"
 #include "tests/input_error_of.h"

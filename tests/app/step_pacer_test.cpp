@@ -1,8 +1,8 @@
-#include "app/editor/step_pacer.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
+
+#include "app/editor/run_pace.h"
 
 namespace griffith::app {
 namespace {

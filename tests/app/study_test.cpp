@@ -5,7 +5,7 @@
 
 #include "app/shared/processes.h"
 #include "app/study/expression.h"
-#include "app/study/flip_search.h"
+#include "app/shared/flip_search.h"
 #include "app/study/proportion.h"
 #include "app/study/run_request.h"
 #include "app/study/sweep_plan.h"

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "sim/fracture/fracture_law.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/topology.h"
 #include "tests/random_values.h"
@@ -76,6 +77,9 @@ struct UniformBlock {
     }
   }
   SeparationInput input() const { return {mesh.tets, mesh.stars, rest_elements, states, {}}; }
+  double load(NodeId node, const Material& material) const {
+    return fracture_law(material).load(input(), node, material, plane(node));
+  }
   CandidatePlane plane(NodeId node) const { return candidate_plane(input(), node, separation_tensor(input(), node)); }
 };
 
@@ -98,8 +102,7 @@ TEST(SeparationLoad, IsTheEquivalentTensionOfAUniformStressAtEveryNodeOfEveryMes
         const Mat3 stress = cauchy_stress(block.states[0].frame, block.states[0].stress);
         const double expected = std::max(0.0, equivalent_tension(stress, 1.0 / 15));
         for (const NodeId node : IdRange<NodeId>(0, block.mesh.node_count()))
-          EXPECT_NEAR(separation_load(block.input(), node, glass, block.plane(node)), expected, 1e-6 * stress.norm())
-              << strain.transpose();
+          EXPECT_NEAR(block.load(node, glass), expected, 1e-6 * stress.norm()) << strain.transpose();
       }
 }
 
@@ -111,31 +114,57 @@ TEST(SeparationLoad, OfAUniaxialTensionIsThatTension) {
     const UniformBlock block(pattern, strained(1e-4 * Vec3(1, lateral, lateral)), glass);
     for (const NodeId node : IdRange<NodeId>(0, block.mesh.node_count())) {
       const CandidatePlane plane = block.plane(node);
-      EXPECT_NEAR(separation_load(block.input(), node, glass, plane) / plane.stress, 1, 1e-9);
+      EXPECT_NEAR(block.load(node, glass) / plane.stress, 1, 1e-9);
     }
   }
 }
 
-TEST(SeparationLoad, IsThePlanesStressWithoutACompressiveStrength) {
+TEST(SeparationLoad, IsThePlanesStressWithoutACompressiveStrengthAndItsForceByTheForceCriterion) {
   Material glass = *find_material_preset("soda_lime_glass");
   const UniformBlock block(BoxPattern::kuhn, strained(1e-4 * Vec3(1, 1, 0.3)), glass);
-  const auto expect_plane_stress = [&] {
-    for (const NodeId node : IdRange<NodeId>(0, block.mesh.node_count()))
-      EXPECT_EQ(separation_load(block.input(), node, glass, block.plane(node)), block.plane(node).stress);
-  };
-  expect_plane_stress();
+  for (const NodeId node : IdRange<NodeId>(0, block.mesh.node_count()))
+    EXPECT_EQ(block.load(node, glass), block.plane(node).stress);
   glass.compressive_strength = 1000e6;
   glass.criterion = FractureCriterion::separation_force;
-  expect_plane_stress();
+  for (const NodeId node : IdRange<NodeId>(0, block.mesh.node_count()))
+    EXPECT_EQ(block.load(node, glass), block.plane(node).eigenvalue);
 }
 
 TEST(SeparationLoad, HydrostaticPressureIsNone) {
   Material glass = *find_material_preset("soda_lime_glass");
   glass.compressive_strength = 1000e6;
   const UniformBlock block(BoxPattern::bcc, strained(-1e-3 * Vec3::Ones()), glass);
-  for (const NodeId node : IdRange<NodeId>(0, block.mesh.node_count()))
-    EXPECT_EQ(separation_load(block.input(), node, glass, block.plane(node)), 0);
+  for (const NodeId node : IdRange<NodeId>(0, block.mesh.node_count())) EXPECT_EQ(block.load(node, glass), 0);
 }
 
 }  // namespace
+TEST(FractureLaws, OneIsThatOfTheMaterialThatAdoptsItAfterAnyOther) {
+  for (const FractureLaw& before : fracture_laws())
+    for (const FractureLaw& law : fracture_laws()) {
+      Material glass = *find_material_preset("soda_lime_glass");
+      adopt(before, glass);
+      adopt(law, glass);
+      EXPECT_EQ(&fracture_law(glass), &law) << law.label << " after " << before.label;
+      EXPECT_EQ(criterion_keys()[static_cast<std::size_t>(law.criterion)], law.key);
+    }
+}
+
+/// Microsteps screen nodes by that bound.
+TEST(FractureLaws, NoLoadExceedsTheTensionOrTheBoundOfItsLaw) {
+  RandomValues random(6);
+  for (const FractureLaw& law : fracture_laws()) {
+    if (!law.is_stress()) continue;
+    Material glass = *find_material_preset("soda_lime_glass");
+    adopt(law, glass);
+    for (int i = 0; i < 40; ++i) {
+      const UniformBlock block(BoxPattern::kuhn, strained(random.vector(1e-4)), glass);
+      const Mat3 stress = cauchy_stress(block.states[0].frame, block.states[0].stress);
+      double bound = std::max(0.0, largest_principal(stress).value);
+      if (law.strength_ratio) bound = std::max(bound, equivalent_tension(stress, law.strength_ratio(glass)));
+      for (const NodeId node : IdRange<NodeId>(0, block.mesh.node_count()))
+        EXPECT_LE(block.load(node, glass), bound + 1e-6 * stress.norm()) << law.label;
+    }
+  }
+}
+
 }  // namespace griffith

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "sim/fracture/fracture_law.h"
 #include "ui/model/units.h"
 
 namespace griffith::ui {
@@ -38,7 +39,7 @@ std::string scaling_note(const NodeReport& report, const Frame& frame) {
   return body.broke_scaled ? scaled_text("Its piece broke", *body.broke_scaled) : "";
 }
 
-std::string breaking(const CrackEvent& event, const char* unit) {
+std::string breaking(const CrackEvent& event, std::string_view unit) {
   std::string text = "Broke at " + format_quantity(event.time, "s", 3) + " (step " + std::to_string(step_of(event)) +
                      "): the load of " + format_quantity(event.load, unit, 3) + " was " +
                      percent(event.load / event.resistance) + " of the resistance.";
@@ -47,7 +48,8 @@ std::string breaking(const CrackEvent& event, const char* unit) {
 }
 
 /// Predicts the next step. `now`: utilization before it, if measured.
-std::string about_to_crack(const ComingCrack& coming, const Frame& frame, const NodeReport& report, const char* unit) {
+std::string about_to_crack(const ComingCrack& coming, const Frame& frame, const NodeReport& report,
+                           std::string_view unit) {
   std::string text = "Cracks in the next step, at " + format_quantity(coming.time, "s", 3) + " (step " +
                      std::to_string(frame.step + 1) + "): a load of " + format_quantity(coming.load, unit, 3) +
                      " will be " + percent(coming.load / coming.resistance) + " of the resistance.";
@@ -73,16 +75,38 @@ std::string of_average(const NodeSeparation& separation) {
          " it is " + format_quantity(separation.mean_tension, "Pa", 3) + " on average.";
 }
 
+/// Describes the origin of the tension across the plane at the frame's time.
+std::string origin_of_tension(const NodeReport& report) {
+  const double pull = report.plane.eigenvalue, stress = report.plane.stress;
+  if (report.by_tension) return "the mean tensile stress of its elements";
+  if (pull <= 0 || stress <= 0) return "no tension";
+  return format_quantity(pull, "N") + " over " + format_quantity(pull / stress, "m²");
+}
+
+/// Fills in a sentence of a fracture law, with so many digits.
+std::string filled_in(std::string_view sentence, const NodeReport& report, const Material& material, int digits = 4) {
+  const FractureLaw& law = fracture_law(material);
+  const std::optional<double> property = law.property ? material.*law.property : std::nullopt;
+  const std::pair<std::string_view, std::string> values[] = {
+      {"{tension}", origin_of_tension(report)},
+      {"{stress}", format_quantity(report.plane.stress, "Pa", digits)},
+      {"{load}", format_quantity(report.load, law.unit, digits)},
+      {"{property}", property ? format_quantity(*property, "Pa", digits) : ""}};
+  std::string text(sentence);
+  for (const auto& [name, value] : values)
+    if (const std::size_t at = text.find(name); at != std::string::npos) text.replace(at, name.size(), value);
+  return text;
+}
+
 /// Compares the load with the tension across the plane now, which differ by a strength surface; empty if they do not.
 std::string of_stress_state(const NodeReport& report, const Material& material) {
   constexpr double kEqual = 0.01;
+  const FractureLaw& law = fracture_law(material);
   const double tension = report.plane.stress;
-  if (!material.compressive_strength || material.criterion != FractureCriterion::strength || !report.strained ||
+  if (law.difference.empty() || !report.strained ||
       std::abs(report.load - tension) <= kEqual * std::max(report.load, tension))
     return "";
-  return " The stress state decides, not its largest tension: now " + format_quantity(tension, "Pa", 3) +
-         " across the plane count as " + format_quantity(report.load, "Pa", 3) + ", by the compressive strength of " +
-         format_quantity(*material.compressive_strength, "Pa", 3) + ".";
+  return " " + filled_in(law.difference, report, material, 3);
 }
 
 /// Describes the load on existing material. `whole`: the node has not cracked before.
@@ -106,8 +130,9 @@ std::string under_load(const NodeState& state, const NodeReport& report, const F
     case NodeState::Load::near:
       break;
   }
-  std::string text = what + ": the load of " + format_quantity(load_of(separation, material), load_unit(material), 3) +
-                     " is " + share + " of the resistance.";
+  std::string text = what + ": the load of " +
+                     format_quantity(load_of(separation, material), fracture_law(material).unit, 3) + " is " + share +
+                     " of the resistance.";
   text += of_average(separation);
   text += of_stress_state(report, material);
   if (report.at_crack_front) text += " " + of_crack_front(separation);
@@ -164,7 +189,7 @@ Verdict::Kind kind_of(const NodeState& state) {
 
 /// Returns the verdict without the note on stand-in materials.
 Verdict bare_verdict(const NodeState& state, const NodeReport& report, const Frame& frame, bool fracture) {
-  const char* unit = load_unit(frame.materials[frame.bodies[report.body].scene_body]);
+  const std::string_view unit = fracture_law(frame.materials[frame.bodies[report.body].scene_body]).unit;
   const bool rigid = state.piece != NodeState::Piece::elastic && state.piece != NodeState::Piece::asleep;
   std::vector<std::string> sentences;
   if (state.coming) sentences.push_back(about_to_crack(*state.coming, frame, report, unit));
@@ -177,14 +202,6 @@ Verdict bare_verdict(const NodeState& state, const NodeReport& report, const Fra
   return verdict;
 }
 
-/// Describes the origin of the tension across the plane at the frame's time.
-std::string origin_of_tension(const NodeReport& report) {
-  const double pull = report.plane.eigenvalue, stress = report.plane.stress;
-  if (report.by_tension) return "the mean tensile stress of its elements";
-  if (pull <= 0 || stress <= 0) return "no tension";
-  return format_quantity(pull, "N") + " over " + format_quantity(pull / stress, "m²");
-}
-
 }  // namespace
 
 std::string stand_in_text(const ScaledImpact& impact) {
@@ -194,28 +211,20 @@ std::string stand_in_text(const ScaledImpact& impact) {
          ". A larger step_budget scales less.";
 }
 
-const char* load_unit(const Material& material) {
-  return material.criterion == FractureCriterion::separation_force ? "N" : "Pa";
-}
-
 double load_of(const NodeSeparation& separation, const Material& material) {
-  return material.criterion == FractureCriterion::separation_force ? separation.eigenvalue : separation.stress;
+  return fracture_law(material).is_stress() ? separation.stress : separation.eigenvalue;
 }
 
 std::string resistance_text(const NodeSeparation& separation, const Material& material) {
-  return std::isfinite(separation.resistance) ? format_quantity(separation.resistance, load_unit(material))
+  return std::isfinite(separation.resistance) ? format_quantity(separation.resistance, fracture_law(material).unit)
                                               : "not yet known";
 }
 
 const char* contribution_unit(const NodeReport& report) { return report.by_tension ? "Pa" : "N"; }
 
 std::string origin_of_load(const NodeReport& report, const Material& material) {
-  if (material.criterion == FractureCriterion::separation_force)
-    return report.load > 0 ? "the tensile force across the plane" : "no tension";
-  const std::string tension = origin_of_tension(report);
-  if (!material.compressive_strength) return tension;
-  return "equivalent to the stress state, with " + format_quantity(report.plane.stress, "Pa") +
-         " across the plane: " + tension;
+  const FractureLaw& law = fracture_law(material);
+  return law.is_stress() || report.load > 0 ? filled_in(law.origin, report, material) : "no tension";
 }
 
 NodeState node_state(const NodeReport& report, const Frame& frame, const std::optional<Stop>& stop) {

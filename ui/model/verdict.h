@@ -48,9 +48,7 @@ Verdict verdict_on(const NodeReport& report, const Frame& frame, bool fracture,
 /// Describes the stand-in material of a scaled impact and its reason: "As a material of 273 MPa ...".
 std::string stand_in_text(const ScaledImpact& impact);
 
-/// Returns the unit of load and resistance of a material: "Pa" or "N".
-const char* load_unit(const Material& material);
-/// Returns the load that is compared with the resistance [load_unit].
+/// Returns the load that is compared with the resistance [FractureLaw::unit].
 double load_of(const NodeSeparation& separation, const Material& material);
 /// Formats the resistance: "60 kPa", or that it is not known yet.
 std::string resistance_text(const NodeSeparation& separation, const Material& material);

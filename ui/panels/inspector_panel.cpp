@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "sim/elasticity/principal_stress.h"
+#include "sim/fracture/fracture_law.h"
 #include "ui/model/units.h"
 #include "ui/model/verdict.h"
 #include "ui/panels/panels.h"
@@ -40,7 +41,7 @@ void verdict_line(const Panel& panel, const Verdict& verdict) {
 /// Shows load, resistance and utilization.
 void utilization_rows(const Panel& panel, const NodeReport& report, const Material& material) {
   const NodeSeparation& separation = report.separation;
-  const char* unit = load_unit(material);
+  const std::string_view unit = fracture_law(material).unit;
   value_row(panel, "Load", format_quantity(load_of(separation, material), unit), palette::kText);
   tooltip("Mean over the last substeps, from which the utilization is computed: a short peak breaks nothing.");
   value_row(panel, "Resistance", resistance_text(separation, material), palette::kText);
@@ -64,7 +65,7 @@ void tensor_rows(const Panel& panel, const NodeReport& report) {
 
 /// Shows the load at the time of the frame, from its own stresses.
 void load_rows(const Panel& panel, const NodeReport& report, const Material& material) {
-  value_row(panel, "Load now", format_quantity(report.load, load_unit(material)), palette::kText);
+  value_row(panel, "Load now", format_quantity(report.load, fracture_law(material).unit), palette::kText);
   hint(panel, origin_of_load(report, material));
   tag_last_item(panel.tags, "inspector/origin", origin_of_load(report, material));
   value_row(panel, "Plane normal", direction_text(report.normal()), palette::kText);

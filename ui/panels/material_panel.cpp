@@ -3,6 +3,7 @@
 #include <limits>
 #include <vector>
 
+#include "sim/fracture/fracture_law.h"
 #include "sim/world/output/scaled_breaks.h"
 #include "ui/model/entry_choice.h"
 #include "ui/model/verdict.h"
@@ -14,7 +15,6 @@
 namespace griffith::ui {
 namespace {
 
-constexpr std::array<std::string_view, 3> kCriteria = {"strength", "strength surface", "separation force"};
 constexpr std::array<std::string_view, 2> kElementModels = {"corotational", "Green's strain"};
 
 /// Puts the edited material into the scene as a part of the edit `label`.
@@ -148,25 +148,22 @@ void library_rows(Panel& panel, const Material& material) {
 }
 
 void criterion_row(Panel& panel, Material& material) {
-  constexpr double kUsualRatio = 10;  // compressive over tensile strength of concrete and rock
-  const std::vector<std::string> names(kCriteria.begin(), kCriteria.end());
-  const bool by_force = material.criterion == FractureCriterion::separation_force;
-  const int now = by_force ? 2 : material.compressive_strength ? 1 : 0;
-  const int chosen = combo_row(panel, "material/criterion", "Criterion", names, kCriteria[now]);
-  field_tooltip(panel, "material/criterion",
-                "Strength: the largest tension decides. Strength surface: the whole state of stress, by Drucker and "
-                "Prager's surface through the tensile and compressive strengths.");
+  std::vector<std::string> names;
+  std::string meanings;
+  for (const FractureLaw& law : fracture_laws()) {
+    names.emplace_back(law.label);
+    meanings += (meanings.empty() ? "" : "\n") + names.back() + ": " + std::string(law.meaning);
+  }
+  const int chosen = combo_row(panel, "material/criterion", "Criterion", names, fracture_law(material).label);
+  field_tooltip(panel, "material/criterion", meanings);
   if (chosen < 0) return;
-  material.criterion = chosen == 2 ? FractureCriterion::separation_force : FractureCriterion::strength;
-  if (chosen == 0) material.compressive_strength.reset();
-  if (chosen == 1 && !material.compressive_strength)
-    material.compressive_strength = kUsualRatio * material.tensile_strength;
+  adopt(fracture_laws()[static_cast<std::size_t>(chosen)], material);
   keep(panel, {true, true}, "Set criterion", material);
 }
 
 void fracture_rows(Panel& panel, Material& material) {
   criterion_row(panel, material);
-  if (material.criterion == FractureCriterion::separation_force) {
+  if (fracture_law(material).resistance == &Material::separation_toughness) {
     number_row(panel, material,
                {"separation_toughness", "Toughness τ",
                 "Separation toughness: a node separates when the largest eigenvalue of its separation tensor exceeds "

@@ -6,6 +6,7 @@
 #include "sim/core/parallel.h"
 #include "sim/elasticity/element.h"
 #include "sim/fracture/crack_front.h"
+#include "sim/fracture/fracture_law.h"
 #include "sim/fracture/resistance.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bonded_pieces.h"
@@ -117,8 +118,7 @@ double harmful_impact_speed(const WorldState& world, const Body& body) {
 double min_breaking_stress(const WorldState& world, const Body& body, bool at_crack_front) {
   const Material& material = world.material_of(body);
   const double minimum = body.weakest_fraction * screening_resistance(material, at_crack_front, body.element_size);
-  const bool is_force = material.criterion == FractureCriterion::separation_force;
-  return is_force ? minimum / (body.element_size * body.element_size) : minimum;
+  return fracture_law(material).is_stress() ? minimum : minimum / (body.element_size * body.element_size);
 }
 
 double visible_stress(const WorldState& world, const Body& body) {

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "sim/fracture/cohesion.h"
+#include "sim/fracture/fracture_law.h"
 #include "sim/fracture/resistance.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/explicit/explicit_run.h"
@@ -57,7 +58,7 @@ std::vector<PartedCopies> copies_between(const TetMesh& mesh, std::span<const No
 /// Bonds the copies of a node that has just come apart, across the faces between them: at the stress that they carry,
 /// or that they could carry if it exceeds that `utilization` times.
 void ExplicitRun::bond_copies(NodeId original, std::span<const NodeId> made, double utilization) {
-  if (world_.material_of(body_of(original)).criterion != FractureCriterion::strength) return;
+  if (!fracture_law(world_.material_of(body_of(original))).is_stress()) return;
   std::vector<NodeId> copies = {original};
   copies.insert(copies.end(), made.begin(), made.end());
   const std::vector<OpenFace> faces = open_faces_at(world_.mesh, copies);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "sim/core/parallel.h"
+#include "sim/fracture/fracture_law.h"
 #include "sim/geometry/face_key.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
@@ -76,16 +77,17 @@ float screening_stress(const WorldState& world, NodeId node) {
   if (!world.model->scene.simulation.fracture) return std::numeric_limits<float>::infinity();
   if (world.mesh->stars[node].size() == 1 && world.nodes.has_support[node] == 0)  // a tip: nothing to part
     return std::numeric_limits<float>::infinity();
+  const FractureLaw& law = fracture_law(material);
   double minimum = screening_resistance_at(world, material, node);
   if (const auto& weakness = world.model->weaknesses[body.scene_body]) minimum *= weakness->strength_ratio;
-  if (material.criterion == FractureCriterion::separation_force) {
+  if (!law.is_stress()) {
     double area = 0;  // v⁺ is at most half the sum of the tensile forces
     for (const TetId tet : world.mesh->stars[node])
       area += world.elements.rest_elements[tet].volume *
               world.elements.rest_elements[tet].shape_gradients.col(local_corner(world.mesh, tet, node)).norm();
     minimum *= 2 / area;
   }
-  if (material.compressive_strength) minimum *= kSurfaceFraction;
+  if (law.strength_ratio) minimum *= kSurfaceFraction;
   return kScreeningFraction * static_cast<float>(minimum);
 }
 

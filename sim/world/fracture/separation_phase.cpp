@@ -6,8 +6,8 @@
 
 #include "sim/core/parallel.h"
 #include "sim/fracture/crack_front.h"
+#include "sim/fracture/fracture_law.h"
 #include "sim/fracture/resistance.h"
-#include "sim/fracture/strength_surface.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/state/corners.h"
@@ -67,19 +67,20 @@ double average_tension(const WorldState& world, const SeparationInput& input, Te
 }
 
 void take_load(const WorldState& world, const SeparationInput& input, TensionZones& zones, NodeId node,
-               const CandidatePlane& plane, double load, const DirectionalStrength& strength, bool averaged,
+               const CandidatePlane& plane, const DirectionalStrength& strength, bool averaged,
                NodeSeparation& separation) {
   const Material& material = world.material_of(body_at(world, node));
-  const bool by_stress = material.criterion == FractureCriterion::strength;
+  const FractureLaw& law = fracture_law(material);
+  const double load = law.load(input, node, material, plane), stress = law.is_stress() ? load : plane.stress;
   const double fraction = strength.fraction(plane.normal);
   separation.eigenvalue = plane.eigenvalue;
   separation.direction = plane.normal;
-  separation.stress = averaged ? 0.5 * (load + separation.stress) : load;
+  separation.stress = averaged ? 0.5 * (stress + separation.stress) : stress;
   const double whole = fraction * resistance(material, world.nodes.strength_factors[node]);
   separation.resistance = whole;
   separation.energy_release = 0;
-  if (!by_stress) {
-    separation.utilization = separation.eigenvalue / whole;
+  if (!law.is_stress()) {
+    separation.utilization = load / whole;
     return;
   }
   separation.utilization = average_tension(world, input, zones, node, plane.stress, whole, separation);
@@ -111,8 +112,7 @@ void evaluate_fours(WorldState& world, const SeparationInput& input, std::span<c
     for (std::size_t i = 0; i < four.size(); ++i) {
       NodeSeparation& separation = world.nodes.separations[four[i]];
       separation.tensor = loads[i].tensor;
-      const double load = separation_load(input, four[i], world.material_of(body_at(world, four[i])), planes[i]);
-      take_load(world, input, zones, four[i], planes[i], load, strengths[i], averaged, separation);
+      take_load(world, input, zones, four[i], planes[i], strengths[i], averaged, separation);
     }
   }
 }

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "sim/fracture/crack_front.h"
+#include "sim/fracture/fracture_law.h"
 #include "sim/fracture/resistance.h"
-#include "sim/fracture/strength_surface.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/fracture/separation_phase.h"
@@ -72,14 +72,13 @@ double TrialLoads::utilization(int index) {
   const std::optional<Weakness>& weakness = world_.model->weaknesses[body.scene_body];
   DirectionalStrength strength;
   if (weakness) strength = strength_at(input, local, *weakness);
-  CandidatePlane plane =
+  const CandidatePlane plane =
       candidate_planes(node_loads(input, std::span(&local, 1)), {strength, strength, strength, strength})[0];
-  plane.stress = separation_load(input, local, material, plane);
-  const bool by_stress = material.criterion == FractureCriterion::strength;
+  const FractureLaw& law = fracture_law(material);
   const double fraction = strength.fraction(plane.normal);
-  const double load = by_stress ? plane.stress : plane.eigenvalue;
-  const double utilization = load / (fraction * resistance(material, world_.nodes.strength_factors[node]));
-  if (!by_stress || world_.nodes.at_crack_front[node] == 0) return utilization;
+  const double utilization =
+      law.load(input, local, material, plane) / (fraction * resistance(material, world_.nodes.strength_factors[node]));
+  if (!law.is_stress() || world_.nodes.at_crack_front[node] == 0) return utilization;
   return std::max(utilization, std::sqrt(energy_release(index, plane.normal) / fracture_energy(material, fraction)));
 }
 

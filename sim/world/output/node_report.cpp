@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "sim/fracture/strength_surface.h"
+#include "sim/fracture/fracture_law.h"
 
 namespace griffith {
 namespace {
@@ -50,9 +50,9 @@ void strain(const Frame& frame, NodeReport& report) {
   report.plane = candidate_plane(input, report.node, tensor,
                                  weakness ? strength_at(input, report.node, *weakness) : DirectionalStrength());
   const Material& material = frame.materials[scene_body];
-  const bool by_stress = material.criterion == FractureCriterion::strength;
-  report.by_tension = by_stress && report.plane.by_tension;
-  report.load = by_stress ? separation_load(input, report.node, material, report.plane) : report.plane.eigenvalue;
+  const FractureLaw& law = fracture_law(material);
+  report.by_tension = law.is_stress() && report.plane.by_tension;
+  report.load = law.load(input, report.node, material, report.plane);
   for (TetId tet : frame.nodes.stars[report.node])
     report.elements.push_back(contribution_of(frame, input, tet, report));
   if (!report.by_tension && frame.nodes.constraints[report.node].is_free()) report.balance = balance_of(report);

@@ -1,4 +1,4 @@
-#include "app/editor/step_pacer.h"
+#include "app/editor/run_pace.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,12 +6,29 @@
 namespace griffith::app {
 namespace {
 
+constexpr double kRateSeconds = 2;
+
 constexpr double kTimeForSteps = 0.04;  // seconds per picture
 constexpr int kMaxSteps = 32;
 constexpr double kSmoothing = 0.1;
 constexpr double kRoundOff = 1e-9;
 
 }  // namespace
+
+void RateMeter::add(double elapsed, double amount) {
+  now_ += std::max(elapsed, 0.0);
+  if (amount <= 0) return;
+  portions_.push_back({now_, portions_.back().total + amount});
+  while (portions_.size() > 2 && portions_[1].time <= now_ - kRateSeconds) portions_.pop_front();
+}
+
+double RateMeter::rate() const {
+  const Portion &first = portions_.front(), &last = portions_.back();
+  if (portions_.size() < 2 || last.time <= first.time) return 0;
+  const double newest = last.total - portions_[portions_.size() - 2].total;
+  const double made = (last.total - first.total) / (last.time - first.time);
+  return now_ > last.time ? std::min(made, (last.total - first.total + newest) / (now_ - first.time)) : made;
+}
 
 int StepPacer::steps_due(double elapsed, double speed, double time_step, double step_cost) {
   debt_ += std::max(elapsed, 0.0) * speed;

@@ -1,9 +1,15 @@
 # What the libraries for other programs have in common.
 
-# <griffith/version.h> and <griffith/sim/...> without an installation too.
+# <griffith/world.h> and all else without an installation too.
 configure_file(${CMAKE_CURRENT_LIST_DIR}/version.h.in ${PROJECT_BINARY_DIR}/include/griffith/version.h @ONLY)
 foreach(folder sim renderer)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${PROJECT_BINARY_DIR}/include/griffith/${folder} SYMBOLIC)
+endforeach()
+set(griffith_public_headers errors.h frame.h material.h mesh.h recording.h scene.h world.h)
+list(TRANSFORM griffith_public_headers PREPEND ${PROJECT_SOURCE_DIR}/include/griffith/)
+foreach(header ${griffith_public_headers})
+  get_filename_component(name ${header} NAME)
+  file(CREATE_LINK ${header} ${PROJECT_BINARY_DIR}/include/griffith/${name} SYMBOLIC)
 endforeach()
 
 # A static library that shared ones link, libgriffith among them. No function of it is replaced by one of another library,
@@ -24,7 +30,7 @@ function(griffith_library name)
   target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${ARG_HEADERS})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   target_compile_features(${target} PUBLIC cxx_std_20)
-  # Those who link it write <griffith/sim/...>; the headers themselves say "sim/...".
+  # Those who link it write <griffith/world.h>; the headers themselves say "sim/...".
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
                                               $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(${target} PUBLIC Eigen3::Eigen PRIVATE $<BUILD_INTERFACE:griffith_compiler>)
@@ -43,5 +49,5 @@ function(griffith_keep_own_copies target)
   endif()
   add_custom_command(TARGET ${target} POST_BUILD VERBATIM
     COMMAND ${CMAKE_COMMAND} -DARCHIVE=$<TARGET_FILE:${target}> -DLINKER=${CMAKE_LINKER} -DNM=${CMAKE_NM}
-            -DOBJCOPY=${CMAKE_OBJCOPY} -DAR=${CMAKE_AR} -P ${PROJECT_SOURCE_DIR}/.cmake/keep_own_copies.cmake)
+            -DOBJCOPY=${CMAKE_OBJCOPY} -DAR=${CMAKE_AR} -P ${PROJECT_SOURCE_DIR}/cmake/keep_own_copies.cmake)
 endfunction()

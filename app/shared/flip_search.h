@@ -11,6 +11,9 @@ namespace griffith::app {
 using State = std::vector<int>;
 using StateAt = std::function<std::vector<State>(const std::vector<double>& values)>;
 
+/// Returns the states 1 and 0 of a condition that holds or not. Each value is tried once.
+StateAt states_of(const std::function<bool(double)>& holds);
+
 /// Two adjacent tried values.
 struct Bracket {
   double below = 0, above = 0;
@@ -28,7 +31,7 @@ struct FlipSearch {
 /// Returns the value at `fraction` (0..1) between `low` and `high`.
 double value_between(const FlipSearch& search, double low, double high, double fraction);
 
-/// Tries `values` (ascending, at least two), then divides the intervals between different states until they are narrow
+/// Tries `values` (ascending, not none), then divides the intervals between different states until they are narrow
 /// or `most_values` are tried. A state within an interval may go unseen. Rethrows exceptions of `state`.
 std::map<double, State> search_flips(const FlipSearch& search, const std::vector<double>& values, const StateAt& state);
 

@@ -3,16 +3,16 @@
 say() { printf '\033[1m%s\033[0m\n' "$*"; }
 fail() { printf '%s: %s\n' "$(basename "$0")" "$*" >&2; exit 1; }
 
-# Packages of .packages that are not installed.
+# Packages of scripts/packages.txt that are not installed.
 missing_packages() {
   local package
-  grep -v '^#' "$root/.packages" | while read -r package; do
+  grep -v '^#' "$root/scripts/packages.txt" | while read -r package; do
     dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || echo "$package"
   done
 }
 
 install_packages() {
-  command -v apt-get >/dev/null || fail "apt-get not found: on systems other than Debian 12 install the packages of .packages by hand, then use cmake --preset release"
+  command -v apt-get >/dev/null || fail "apt-get not found: on systems other than Debian 12 install the packages of scripts/packages.txt by hand, then use cmake --preset release"
   local missing as_root=()
   missing=$(missing_packages)
   [ -n "$missing" ] || return 0

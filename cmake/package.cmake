@@ -17,20 +17,21 @@ if(GRIFFITH_BUILD_RENDERER)
 endif()
 if(GRIFFITH_BUILD_BINDINGS)
   griffith_install_library(c)
-  configure_file(.cmake/griffith-c.pc.in griffith-c.pc @ONLY)
+  configure_file(cmake/griffith-c.pc.in griffith-c.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/griffith-c.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endif()
 if(GRIFFITH_BUILD_EDITOR)
   install(TARGETS griffith)
 endif()
 
-configure_package_config_file(.cmake/griffith-config.cmake.in griffith-config.cmake INSTALL_DESTINATION ${package_folder})
+configure_package_config_file(cmake/griffith-config.cmake.in griffith-config.cmake INSTALL_DESTINATION ${package_folder})
 # Until version 1.0 every minor version may change what others compile against.
 write_basic_package_version_file(griffith-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/griffith-config.cmake ${PROJECT_BINARY_DIR}/griffith-config-version.cmake
-              ${PROJECT_SOURCE_DIR}/.cmake/FindVoro.cmake DESTINATION ${package_folder})
-install(FILES ${PROJECT_BINARY_DIR}/include/griffith/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/griffith)
+              ${PROJECT_SOURCE_DIR}/cmake/FindVoro.cmake DESTINATION ${package_folder})
+install(FILES ${griffith_public_headers} ${PROJECT_BINARY_DIR}/include/griffith/version.h
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/griffith)
 
 list(JOIN griffith_bullet_LDFLAGS " " bullet_libraries)
-configure_file(.cmake/griffith.pc.in griffith.pc @ONLY)
+configure_file(cmake/griffith.pc.in griffith.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/griffith.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -1,4 +1,4 @@
-#include "app/study/flip_search.h"
+#include "app/shared/flip_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,6 +49,18 @@ double rounded(double value, double tolerance) {
 }
 
 }  // namespace
+
+StateAt states_of(const std::function<bool(double)>& holds) {
+  return [holds, known = std::map<double, int>()](const std::vector<double>& values) mutable {
+    std::vector<State> states;
+    for (const double value : values) {
+      const auto [state, is_new] = known.try_emplace(value);
+      if (is_new) state->second = holds(value);
+      states.push_back({state->second});
+    }
+    return states;
+  };
+}
 
 double value_between(const FlipSearch& search, double low, double high, double fraction) {
   if (fraction <= 0) return low;
