@@ -1,7 +1,6 @@
 #include "sim/mesh/mesh_layers.h"
 
 #include <Eigen/Geometry>
-
 #include <algorithm>
 #include <array>
 #include <functional>

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <set>
 
+#include "app/shared/flip_search.h"
 #include "app/shared/processes.h"
 #include "app/study/expression.h"
-#include "app/shared/flip_search.h"
 #include "app/study/proportion.h"
 #include "app/study/run_request.h"
 #include "app/study/sweep_plan.h"

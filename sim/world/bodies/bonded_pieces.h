@@ -16,7 +16,8 @@ std::vector<std::vector<TetId>> bonded_pieces(const WorldState& world, const Bod
 /// Breaks all bonds of a body.
 void drop_bonds(WorldState& world, const Body& body);
 
-/// Parts bodies whose bonds were dropped, and deformable ones: bonds act in explicit dynamics and in rigid bodies alone.
+/// Parts bodies whose bonds were dropped, and deformable ones: bonds act in explicit dynamics and in rigid bodies
+/// alone.
 void part_at_bonds(WorldState& world);
 
 }  // namespace griffith
