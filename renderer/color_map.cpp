@@ -35,6 +35,14 @@ constexpr Anchors kCoolwarm = {0x3b4cc0, 0x4055c8, 0x465ecf, 0x4c66d6, 0x536edd,
                                0xf7aa8c, 0xf6a385, 0xf59c7d, 0xf39475, 0xf08b6e, 0xed8366, 0xe97a5f, 0xe57058, 0xe16751,
                                0xdc5d4a, 0xd65244, 0xd0473d, 0xca3b37, 0xc32e31, 0xbb1b2c, 0xb40426};
 
+// Gray where nothing is loaded, so that debris is seen, then yellow, orange and red.
+constexpr Anchors kHeat = {0xe8eaec, 0xe8e9e7, 0xe8e8e2, 0xe9e7dc, 0xe9e6d7, 0xe9e5d2, 0xe9e3cd, 0xeae2c7, 0xeae1c2,
+                           0xeae0bd, 0xeadfb7, 0xebddb1, 0xecdbab, 0xecdaa6, 0xedd8a0, 0xedd69a, 0xeed594, 0xefd38e,
+                           0xefd188, 0xf0d082, 0xf0cc7c, 0xf0c777, 0xefc371, 0xefbe6b, 0xefb965, 0xefb55f, 0xefb05a,
+                           0xefab54, 0xeea64e, 0xeea248, 0xed9c44, 0xeb9541, 0xe98e3e, 0xe7873b, 0xe58038, 0xe37936,
+                           0xe17233, 0xdf6b30, 0xdd642d, 0xdb5d2b, 0xd5552a, 0xcf4d29, 0xca4529, 0xc43d28, 0xbf3427,
+                           0xb92c27, 0xb32526, 0xa72024, 0x9c1b23, 0x911621, 0x851120, 0x7a0c1e};
+
 int channel(std::uint32_t rgb, int index) { return static_cast<int>(rgb >> (16 - 8 * index)) & 0xff; }
 
 ColorTable interpolated(const Anchors& anchors) {
@@ -64,6 +72,8 @@ std::string_view color_map_name(ColorMap map) {
       return "coolwarm";
     case ColorMap::cividis:
       return "cividis";
+    case ColorMap::heat:
+      return "heat";
   }
   assert(false);
   return {};
@@ -78,7 +88,7 @@ std::optional<ColorMap> find_color_map(std::string_view name) {
 
 const ColorTable& color_table(ColorMap map) {
   static const std::array<ColorTable, kColorMaps.size()> tables = {interpolated(kViridis), interpolated(kCoolwarm),
-                                                                   interpolated(kCividis)};
+                                                                   interpolated(kCividis), interpolated(kHeat)};
   return tables[static_cast<std::size_t>(map)];
 }
 

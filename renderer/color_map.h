@@ -9,12 +9,14 @@
 
 namespace griffith::render {
 
-/// viridis and cividis for magnitudes (luminance grows with the value), coolwarm for signed values (symmetric range).
-enum class ColorMap { viridis, coolwarm, cividis };
+/// viridis and cividis for magnitudes (luminance grows with the value), coolwarm for signed values (symmetric range),
+/// heat for the approach to a limit (gray to red, luminance falls).
+enum class ColorMap { viridis, coolwarm, cividis, heat };
 
-inline constexpr std::array<ColorMap, 3> kColorMaps = {ColorMap::viridis, ColorMap::coolwarm, ColorMap::cividis};
+inline constexpr std::array<ColorMap, 4> kColorMaps = {ColorMap::viridis, ColorMap::coolwarm, ColorMap::cividis,
+                                                       ColorMap::heat};
 
-/// Returns "viridis", "coolwarm" or "cividis".
+/// Returns "viridis", "coolwarm", "cividis" or "heat".
 std::string_view color_map_name(ColorMap map);
 
 /// Returns the map of that name, if there is one.

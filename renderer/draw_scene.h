@@ -45,6 +45,10 @@ struct Surface {
   std::vector<Rgb> colors;                 ///< 1 per triangle, instead of `color`; used without scalars
   std::vector<std::int32_t> ids;           ///< 1 per triangle, for picking
   std::vector<std::uint8_t> flags;         ///< 1 per triangle: TriangleFlag bits; none if empty
+  /// 1 per triangle: index into EmbeddedSurface::materials whose grain is shown over the color, without scalars and
+  /// from standard quality on; negative: none.
+  std::vector<std::int32_t> matters;
+  std::vector<Eigen::Vector3f> rests;  ///< 3 per triangle, with `matters`: positions at rest [m]
   ScalarStyle scalar_style;
   Rgb color = {0.74f, 0.77f, 0.80f};
   float clear_depth = 0.1f;  ///< kClear triangles: distance over which light takes their color [m], > 0
@@ -82,6 +86,10 @@ struct Sphere {
   float radius = 1;                                  ///< [m]
   Rgb color = {0.85f, 0.40f, 0.25f};
   std::int32_t id = kNoId;
+  float metal = 0;         ///< 1: mirrors light in its color, from standard quality on
+  float roughness = 0.3f;  ///< blur of what it mirrors, 0..1
+  float mottle = 0;        ///< strength of the grain of stone, 0..1
+  Eigen::Matrix<float, 4, 1, Eigen::DontAlign> rotation = {0, 0, 0, 1};  ///< quaternion x, y, z, w; turns the grain
 };
 
 /// A soft cloud, denser toward its center.
@@ -117,15 +125,26 @@ struct Label {
 /// A horizontal plane that receives shadows, with a grid that shows the scale (GridLevel).
 struct Ground {
   float height = 0;  ///< y of the plane [m]
-  Rgb color = {0.86f, 0.87f, 0.88f};
+  Rgb color = {0.40f, 0.39f, 0.38f};
   /// False: only its extent matters. Depths of objects are rounded as in a picture with it, so that where two of them
   /// meet, both pictures show the same one.
   bool drawn = true;
 };
 
-/// A vertical gradient.
+/// Surroundings made of formulas: they light objects and are mirrored by them, from standard quality on.
+struct Environment {
+  enum class Kind {
+    studio,  ///< a gray room with a lamp and two softboxes
+    sky      ///< a clear sky with a sun
+  };
+  Kind kind = Kind::studio;
+  float strength = 1;  ///< factor on all light but the lamp's or the sun's, >= 0
+};
+
+/// A gradient from the horizon up, or the sky of the environment.
 struct Background {
-  Rgb top = {0.80f, 0.85f, 0.90f}, bottom = {0.95f, 0.96f, 0.97f};
+  Rgb top = {0.26f, 0.27f, 0.29f}, bottom = {0.56f, 0.56f, 0.56f};
+  bool is_sky = false;  ///< shows the environment from standard quality on; the gradient is that of drafts
 };
 
 /// Content of a picture as plain data; the renderer knows nothing else about the world.
@@ -142,6 +161,7 @@ struct DrawScene {
   float line_width = 2;              ///< [pixels]
   std::optional<HalfSpace> visible;  ///< part of surface and embedded surface that is drawn
   std::optional<Ground> ground;
+  Environment environment;
   Background background;
 };
 

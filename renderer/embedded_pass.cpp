@@ -10,8 +10,6 @@ namespace {
 
 static_assert(sizeof(EmbeddedCorner) == 21 * sizeof(float), "uploaded as it is");
 
-constexpr int kMaterialFloats = 14;
-
 const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
 /// Describes the attributes of corners in the bound buffer.
@@ -40,17 +38,6 @@ void add_fan(std::vector<std::uint32_t>& indices, const EmbeddedPolygon& polygon
   for (std::uint32_t i = 2; i < corners; ++i) indices.insert(indices.end(), {first, first + i - 1, first + i});
 }
 
-/// Packs materials for the shader.
-std::vector<float> packed(const std::vector<EmbeddedMaterial>& materials) {
-  std::vector<float> values;
-  values.reserve(kMaterialFloats * materials.size());
-  for (const auto& [color, variation, mottle, roughness, noise_size, fiber, clear_depth, grain, grain_size, dressed,
-                    gloss] : materials)
-    values.insert(values.end(), {color.r, color.g, color.b, variation, mottle, roughness, noise_size, fiber.x(),
-                                 fiber.y(), fiber.z(), clear_depth, static_cast<float>(grain), grain_size, gloss});
-  return values;
-}
-
 /// Returns 0 for none, 1 for one scalar per tet, 2 for one per point.
 int scalar_kind(const EmbeddedSurface& surface) {
   if (surface.scalars.empty()) return 0;
@@ -58,7 +45,8 @@ int scalar_kind(const EmbeddedSurface& surface) {
 }
 
 std::string fragment_source(Output output) {
-  return with_output(std::string(shaders::shading_glsl) + shaders::grain_glsl + shaders::embedded_frag, output);
+  return with_output(
+      std::string(shaders::shading_glsl) + shaders::grain_glsl + shaders::matter_glsl + shaders::embedded_frag, output);
 }
 
 /// True if materials show their grain.
@@ -106,7 +94,6 @@ void EmbeddedPass::upload(const EmbeddedSurface& surface) {
   carriers_.upload(surface.carriers);
   scalars_.upload(surface.scalars);
   colors_.upload(surface.piece_colors, 3);
-  materials_.upload(packed(surface.materials));
 }
 
 void EmbeddedPass::upload_mesh() {
@@ -155,8 +142,7 @@ void EmbeddedPass::draw_depth(DrawnPart part) const {
 }
 
 void EmbeddedPass::draw(const EmbeddedSurface& surface, const ScalarStyle& style, const ColorTables& color_tables,
-                        const RenderOptions& options, const Background& sky, float opacity, Output output,
-                        DrawnPart part) const {
+                        const RenderOptions& options, float opacity, Output output, DrawnPart part) const {
   if (!mesh_) return;
   color_tables.bind(style.color_map);
   const auto use = [&](const ShaderProgram& program) {
@@ -170,8 +156,6 @@ void EmbeddedPass::draw(const EmbeddedSurface& surface, const ScalarStyle& style
     program.set("unlit", options.unlit_scalars);
     program.set("selected_tet", surface.selected_tet);
     program.set("opacity", opacity);
-    program.set("sky_top", sky.top);
-    program.set("sky_bottom", sky.bottom);
     program.set("drawn_part", static_cast<int>(part));
     program.set("checker", surface.checker);
   };
@@ -198,7 +182,6 @@ void EmbeddedPass::draw_triangles(GLsizei first, GLsizei end) const {
   carriers_.bind(kCarriersUnit);
   scalars_.bind(kScalarsUnit);
   colors_.bind(kColorsUnit);
-  materials_.bind(kMaterialsUnit);
   glBindVertexArray(vertices_.id());
   glDrawElements(GL_TRIANGLES, end - first, GL_UNSIGNED_INT,
                  offset(static_cast<std::size_t>(first) * sizeof(std::uint32_t)));

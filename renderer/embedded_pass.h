@@ -19,7 +19,7 @@ class EmbeddedPass {
   /// `skips_clear`: leaves transparent polygons out.
   void draw_depth(DrawnPart part) const;
   void draw(const EmbeddedSurface& surface, const ScalarStyle& style, const ColorTables& color_tables,
-            const RenderOptions& options, const Background& sky, float opacity, Output output, DrawnPart part) const;
+            const RenderOptions& options, float opacity, Output output, DrawnPart part) const;
 
  private:
   void upload_mesh();
@@ -33,8 +33,7 @@ class EmbeddedPass {
   ShaderProgram plain_program_, glass_program_, grain_program_, depth_program_, part_depth_program_;
   VertexArray vertices_;
   Buffer corners_, triangles_;
-  StreamTexture points_{GL_R32F}, tets_{GL_R32I}, carriers_{GL_R32I}, scalars_{GL_R32F}, colors_{GL_R32F},
-      materials_{GL_R32F};
+  StreamTexture points_{GL_R32F}, tets_{GL_R32I}, carriers_{GL_R32I}, scalars_{GL_R32F}, colors_{GL_R32F};
   std::shared_ptr<const EmbeddedMesh> mesh_;  ///< on the device
   std::vector<std::int32_t> opened_;          ///< on the device
   GLsizei indices_ = 0, outer_indices_ = 0;   ///< on the device: all, and those of the outer polygons, which come first

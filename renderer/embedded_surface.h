@@ -73,7 +73,9 @@ enum class Grain {
   crystals,  ///< several minerals, one dark
   facets,    ///< crystals of one kind
   veins,     ///< the same, with dark veins through them
-  rings      ///< growth rings with fibers
+  rings,     ///< growth rings with fibers
+  bricks,    ///< bricks in running bond with mortar
+  cast       ///< smooth, with faint stones and pores
 };
 
 /// Appearance of a material if no scalar is shown.
@@ -88,7 +90,9 @@ struct EmbeddedMaterial {
   Grain grain = Grain::none;
   float grain_size = 0.02f;  ///< size of its largest parts [m]
   bool dressed = false;      ///< shows its grain on outer polygons too
-  float gloss = 0;           ///< strength of a glaze that reflects sky and lamp, 0..1, from standard quality on
+  float gloss = 0;           ///< strength of what the surface mirrors, 0..1, from standard quality on
+  float blur = 0.05f;        ///< roughness of the mirroring surface, 0..1
+  float metal = 0;           ///< 1: mirrors light in its color
 };
 
 /// Embedded polygons in their current state. Nothing is drawn without a mesh.

@@ -12,6 +12,7 @@
 #include "renderer/glass_target.h"
 #include "renderer/glyph_pass.h"
 #include "renderer/hidden_backs.h"
+#include "renderer/material_table.h"
 #include "renderer/occlusion_map.h"
 #include "renderer/puff_pass.h"
 #include "renderer/shadow_map.h"
@@ -73,6 +74,18 @@ int shadow_texels(const Focus& focus, const Camera& camera, const RenderOptions&
   const float pixel = height_at_target(camera) / static_cast<float>(options.height);  // [m]
   const float texels = std::min(2 * focus.radius / pixel, static_cast<float>(ShadowMap::kMostTexels));
   return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(texels))));
+}
+
+float linear_from_srgb(float channel) {
+  return channel <= 0.04045f ? channel / 12.92f : std::pow((channel + 0.055f) / 1.055f, 2.4f);
+}
+
+/// Returns the light from the lit ground, and from the floor of a room without one; w: strength of the environment.
+Vec4 surroundings_of(const DrawScene& scene) {
+  constexpr float kGroundLight = 0.75f;  // mean illumination of the ground
+  const Rgb color = scene.ground ? scene.ground->color : Rgb{0.35f, 0.35f, 0.35f};
+  const auto light = [](float channel) { return kGroundLight * linear_from_srgb(channel); };
+  return {light(color.r), light(color.g), light(color.b), scene.environment.strength};
 }
 
 ViewBlock picture_view(const Camera& camera, const Eigen::AlignedBox3f& box, const Target& target,
@@ -141,6 +154,7 @@ struct Renderer::Passes {
   ShadowMap shadow_map, clear_shadow_map;
   BackgroundPass background;
   ColorTables color_tables;
+  MaterialTable materials;
   SurfacePass surface;
   EmbeddedPass embedded;
   SpherePass spheres, crumbs{SpherePass::Shape::chip};
@@ -185,6 +199,8 @@ void Renderer::Passes::resize(const RenderOptions& options) {
 void Renderer::Passes::upload(const DrawScene& scene, float pixel_scale) {
   surface.upload(scene.surface);
   embedded.upload(scene.embedded);
+  materials.upload(scene.embedded.materials);
+  materials.bind();
   spheres.upload(scene.spheres);
   crumbs.upload(scene.crumbs);
   puffs.upload(scene.puffs);
@@ -257,11 +273,10 @@ void Renderer::Passes::draw_surfaces(const DrawScene& scene, const RenderOptions
   glEnable(GL_CLIP_DISTANCE0);
   {
     const Culling culling(output == Output::opaque && hidden.surface);
-    surface.draw(scene.surface, color_tables, options, scene.background, output, part);
+    surface.draw(scene.surface, color_tables, options, output, part);
   }
   const Culling culling(output == Output::opaque && hidden.embedded);
-  embedded.draw(scene.embedded, scene.surface.scalar_style, color_tables, options, scene.background,
-                scene.surface.opacity, output, part);
+  embedded.draw(scene.embedded, scene.surface.scalar_style, color_tables, options, scene.surface.opacity, output, part);
   glDisable(GL_CLIP_DISTANCE0);
 }
 
@@ -272,7 +287,7 @@ void Renderer::Passes::draw_picture(const DrawScene& scene, const Camera& camera
   target.clear(scene.background.bottom);
   shadow_map.bind();
   clear_shadow_map.bind_clear();
-  background.draw(scene.background);
+  background.draw(scene.background, world_from_clip, light_of(options.quality));
   glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);  // the picture is opaque; alpha is used for blending alone
   draw_surfaces(scene, options, Output::opaque, opaque_part(scene, clear));
   spheres.draw(light_of(options.quality));
@@ -334,6 +349,8 @@ void Renderer::render(const DrawScene& scene, const Camera& camera, const Render
   ViewBlock view =
       picture_view(camera, visible_box(scene, focus, box), passes_->target, shadow_view, effects_of(options.quality));
   view.effects.z() = has_glass(scene, options) ? 1.0f : 0.0f;
+  view.effects.w() = scene.environment.kind == Environment::Kind::sky ? 1.0f : 0.0f;
+  view.surroundings = surroundings_of(scene);
   passes_->picture_view.bind(view);
   passes_->world_from_clip = view.view_projection.cast<double>().inverse().cast<float>();
   passes_->draw_occlusion_map(scene, camera, focus, view.view_projection, options);

@@ -20,9 +20,14 @@ std::string read_log(GLuint object, GetParameter get_parameter, GetLog get_log) 
 }
 
 void attach_stage(GLuint program, GLenum stage, const std::string& name, const char* source, Light light) {
-  const char* parts[] = {"#version 330 core\n", light == Light::plain ? "#define PLAIN_LIGHT\n" : "",
-                         shaders::common_glsl,  stage == GL_FRAGMENT_SHADER ? shaders::light_glsl : "",
-                         "#line 1 1\n",         source};
+  const bool is_fragment = stage == GL_FRAGMENT_SHADER, is_plain = light == Light::plain;
+  const char* parts[] = {"#version 330 core\n",
+                         is_plain ? "#define PLAIN_LIGHT\n" : "",
+                         shaders::common_glsl,
+                         is_fragment && !is_plain ? shaders::environment_glsl : "",
+                         is_fragment ? shaders::light_glsl : "",
+                         "#line 1 1\n",
+                         source};
   const GLuint shader = glCreateShader(stage);
   glShaderSource(shader, static_cast<GLsizei>(std::size(parts)), parts, nullptr);
   glCompileShader(shader);
@@ -69,6 +74,7 @@ ShaderProgram::ShaderProgram(const std::string& name, const char* vertex_source,
                                                   {"tets", kTetsUnit},
                                                   {"carriers", kCarriersUnit},
                                                   {"materials", kMaterialsUnit},
+                                                  {"matters", kMattersUnit},
                                                   {"color_sums", kColorSumsUnit},
                                                   {"weight_sums", kWeightSumsUnit},
                                                   {"shadow_depth", kShadowDepthUnit},

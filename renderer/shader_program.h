@@ -28,7 +28,8 @@ enum TextureUnit : int {
   kClearShadowUnit,
   kOpaqueUnit,
   kFaceSumsUnit,
-  kOpaqueDistanceUnit
+  kOpaqueDistanceUnit,
+  kMattersUnit
 };
 
 /// Output of a fragment shader that calls emit() of shaders/output.glsl or emit_glass() of glass.glsl: a Target, a

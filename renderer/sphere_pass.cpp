@@ -13,7 +13,8 @@ static_assert(std::is_standard_layout_v<Sphere>, "uploaded as it is");
 namespace {
 
 std::string shape_source(SpherePass::Shape shape, const char* ball, const char* chip) {
-  return shape == SpherePass::Shape::ball ? ball : std::string(shaders::chip_glsl) + chip;
+  return shape == SpherePass::Shape::ball ? std::string(shaders::grain_glsl) + ball
+                                          : std::string(shaders::chip_glsl) + chip;
 }
 
 }  // namespace
@@ -28,6 +29,8 @@ SpherePass::SpherePass(Shape shape)
   instance_floats(1, 1, sizeof(Sphere), offsetof(Sphere, radius));
   instance_floats(2, 3, sizeof(Sphere), offsetof(Sphere, color));
   instance_integer(3, sizeof(Sphere), offsetof(Sphere, id));
+  instance_floats(4, 3, sizeof(Sphere), offsetof(Sphere, metal));
+  instance_floats(5, 4, sizeof(Sphere), offsetof(Sphere, rotation));
 }
 
 void SpherePass::upload(const std::vector<Sphere>& spheres) {

@@ -20,11 +20,14 @@ void check_sizes([[maybe_unused]] const Surface& surface) {
   assert(surface.scalars.empty() || surface.scalars.size() == triangles || surface.scalars.size() == 3 * triangles);
   assert(surface.colors.empty() || surface.colors.size() == triangles);
   assert(surface.ids.empty() || surface.ids.size() == triangles);
+  assert(surface.matters.empty() || surface.matters.size() == triangles);
+  assert(surface.rests.size() == 3 * surface.matters.size());
   assert(surface.flags.empty() || surface.flags.size() == triangles);
 }
 
 std::string fragment_source(Output output) {
-  return with_output(std::string(shaders::shading_glsl) + shaders::surface_frag, output);
+  return with_output(
+      std::string(shaders::shading_glsl) + shaders::grain_glsl + shaders::matter_glsl + shaders::surface_frag, output);
 }
 
 /// True if a draft shows only colors.
@@ -40,12 +43,16 @@ SurfacePass::SurfacePass()
       plain_program_("plain surface", shaders::surface_vert,
                      ("#define NATURAL\n" + fragment_source(Output::opaque)).c_str(), Light::plain),
       glass_program_("clear surface", shaders::surface_vert, fragment_source(Output::glass).c_str()),
+      grain_program_("surface with grain", shaders::surface_vert,
+                     ("#define GRAIN\n" + fragment_source(Output::opaque)).c_str()),
       depth_program_("surface depth", shaders::surface_vert, shaders::depth_frag),
       part_depth_program_("depth of part of a surface", shaders::surface_vert, shaders::surface_depth_frag) {
   glBindVertexArray(vertices_.id());
   glBindBuffer(GL_ARRAY_BUFFER, positions_.id());
   glEnableVertexAttribArray(0);
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Eigen::Vector3f), nullptr);
+  glBindBuffer(GL_ARRAY_BUFFER, rests_.id());
+  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(Eigen::Vector3f), nullptr);
 }
 
 void SurfacePass::upload(const Surface& surface) {
@@ -57,6 +64,12 @@ void SurfacePass::upload(const Surface& surface) {
   ids_.upload(surface.ids);
   flags_.upload(surface.flags);
   has_flags_ = !surface.flags.empty();
+  has_matters_ = !surface.matters.empty();
+  glBindVertexArray(vertices_.id());
+  has_matters_ ? glEnableVertexAttribArray(1) : glDisableVertexAttribArray(1);
+  if (!has_matters_) return;
+  rests_.upload(surface.rests);
+  matters_.upload(surface.matters);
 }
 
 void SurfacePass::draw_depth(DrawnPart part) const {
@@ -69,7 +82,7 @@ void SurfacePass::draw_depth(DrawnPart part) const {
 }
 
 void SurfacePass::draw(const Surface& surface, const ColorTables& color_tables, const RenderOptions& options,
-                       const Background& sky, Output output, DrawnPart part) const {
+                       Output output, DrawnPart part) const {
   const ScalarStyle& style = surface.scalar_style;
   const ShaderProgram& program = program_for(surface, options, output, part);
   program.use();
@@ -78,6 +91,7 @@ void SurfacePass::draw(const Surface& surface, const ColorTables& color_tables, 
   program.set("has_colors", !surface.colors.empty());
   program.set("has_ids", !surface.ids.empty());
   program.set("has_flags", !surface.flags.empty());
+  program.set("has_matters", !surface.matters.empty());
   program.set("plain_color", surface.color);
   program.set("nan_color", kNanColor);
   program.set("draw_edges", options.edges);
@@ -85,8 +99,6 @@ void SurfacePass::draw(const Surface& surface, const ColorTables& color_tables, 
   program.set("unlit", options.unlit_scalars);
   program.set("opacity", surface.opacity);
   program.set("clear_depth", surface.clear_depth);
-  program.set("sky_top", sky.top);
-  program.set("sky_bottom", sky.bottom);
   program.set("drawn_part", static_cast<int>(part));
   color_tables.bind(style.color_map);
   draw_triangles();
@@ -96,6 +108,8 @@ const ShaderProgram& SurfacePass::program_for(const Surface& surface, const Rend
                                               DrawnPart part) const {
   if (output == Output::glass) return glass_program_;
   if (output == Output::transparent) return transparent_program_.in(light_of(options.quality));
+  const bool grain = !surface.matters.empty() && surface.scalars.empty();
+  if (grain && options.quality != Quality::draft) return grain_program_;
   const bool plain = part == DrawnPart::all && is_plain(surface, options);
   return plain ? plain_program_ : program_.in(light_of(options.quality));
 }
@@ -105,6 +119,7 @@ void SurfacePass::draw_triangles() const {
   colors_.bind(kColorsUnit);
   ids_.bind(kIdsUnit);
   flags_.bind(kFlagsUnit);
+  if (has_matters_) matters_.bind(kMattersUnit);
   glBindVertexArray(vertices_.id());
   glDrawArrays(GL_TRIANGLES, 0, corners_);
 }

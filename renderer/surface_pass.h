@@ -15,8 +15,8 @@ class SurfacePass {
   void upload(const Surface& surface);
   /// `skips_clear`: leaves transparent triangles out.
   void draw_depth(DrawnPart part) const;
-  void draw(const Surface& surface, const ColorTables& color_tables, const RenderOptions& options,
-            const Background& sky, Output output, DrawnPart part) const;
+  void draw(const Surface& surface, const ColorTables& color_tables, const RenderOptions& options, Output output,
+            DrawnPart part) const;
 
  private:
   const ShaderProgram& program_for(const Surface& surface, const RenderOptions& options, Output output,
@@ -24,12 +24,12 @@ class SurfacePass {
   void draw_triangles() const;
 
   LitProgram program_, transparent_program_;
-  ShaderProgram plain_program_, glass_program_, depth_program_, part_depth_program_;
+  ShaderProgram plain_program_, glass_program_, grain_program_, depth_program_, part_depth_program_;
   VertexArray vertices_;
-  StreamBuffer positions_;
-  StreamTexture scalars_{GL_R32F}, colors_{GL_R32F}, ids_{GL_R32I}, flags_{GL_R8UI};
+  StreamBuffer positions_, rests_;
+  StreamTexture scalars_{GL_R32F}, colors_{GL_R32F}, ids_{GL_R32I}, flags_{GL_R8UI}, matters_{GL_R32I};
   GLsizei corners_ = 0;
-  bool has_flags_ = false;
+  bool has_flags_ = false, has_matters_ = false;
 };
 
 }  // namespace griffith::render

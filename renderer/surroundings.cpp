@@ -8,10 +8,13 @@ namespace griffith::render {
 
 BackgroundPass::BackgroundPass() : program_("background", shaders::background_vert, shaders::background_frag) {}
 
-void BackgroundPass::draw(const Background& background) const {
-  program_.use();
-  program_.set("top", background.top);
-  program_.set("bottom", background.bottom);
+void BackgroundPass::draw(const Background& background, const Mat4& world_from_clip, Light light) const {
+  const ShaderProgram& program = program_.in(light);
+  program.use();
+  program.set("top", background.top);
+  program.set("bottom", background.bottom);
+  program.set("sky_share", background.is_sky ? 1.0f : 0.0f);
+  program.set("world_from_clip", world_from_clip);
   glBindVertexArray(vertices_.id());
   glDisable(GL_DEPTH_TEST);  // neither tested nor written
   glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);

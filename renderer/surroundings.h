@@ -5,14 +5,15 @@
 
 namespace griffith::render {
 
-/// Gradient of the background; covers the whole target and leaves depth and ids unchanged.
+/// Background; covers the whole target and leaves depth and ids unchanged.
 class BackgroundPass {
  public:
   BackgroundPass();
-  void draw(const Background& background) const;
+  /// `world_from_clip`: inverse of the picture's projection.
+  void draw(const Background& background, const Mat4& world_from_clip, Light light) const;
 
  private:
-  ShaderProgram program_;
+  LitProgram program_;
   VertexArray vertices_;
 };
 

@@ -20,8 +20,9 @@ struct ViewBlock {
   Vec4 viewport = Vec4::Zero();
   Vec4 visible = Vec4::UnitW();
   Vec4 effects = Vec4::Zero();
+  Vec4 surroundings = Vec4::UnitW();
 };
-static_assert(sizeof(ViewBlock) == (2 * 16 + 5 * 4) * sizeof(float));
+static_assert(sizeof(ViewBlock) == (2 * 16 + 6 * 4) * sizeof(float));
 
 /// A ViewBlock on the device.
 class ViewBuffer {

@@ -60,10 +60,11 @@ Command add_script(CLI::App& program);
 Command add_bench(CLI::App& program);
 Command add_thumbnail(CLI::App& program);
 Command add_validate(CLI::App& program);
+Command add_gallery(CLI::App& program);
 
 /// All commands in the order of --help.
 inline constexpr std::array kCommands = {add_render,  add_simulate, add_check,     add_mesh,    add_export,
                                          add_regress, add_sweep,    add_find,      add_replay,  add_bundle,
-                                         add_script,  add_bench,    add_thumbnail, add_validate};
+                                         add_script,  add_bench,    add_thumbnail, add_gallery, add_validate};
 
 }  // namespace griffith::app

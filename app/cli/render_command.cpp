@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <set>
 
@@ -206,13 +205,21 @@ void add_how(CLI::App& command, RenderOptions& options) {
                   "Samples per pixel for antialiasing; default: 4, or 1 in draft quality")
       ->check(CLI::Range(1, 16))
       ->type_name("S");
-  std::map<std::string, PictureQuality> qualities;
-  for (const std::string_view name : picture_quality_names())
-    qualities.emplace(name, static_cast<PictureQuality>(qualities.size()));
   command
-      .add_option("--quality", options.job.quality,
-                  "draft (the fastest), standard or high (soft shadows, transparent glass); default: the scene's view")
-      ->transform(CLI::CheckedTransformer(qualities).description(""))
+      .add_option_function<std::string>(
+          "--quality", [&options](const std::string& name) { set_quality(options.job, name); },
+          "draft (the fastest), standard or high (soft shadows, transparent glass), or poster (also depth of field "
+          "about "
+          "the camera's target and motion blur, without text; some twenty times slower than high); default: the "
+          "scene's "
+          "view")
+      ->check(CLI::IsMember(quality_names()).description(""))
+      ->type_name("NAME");
+  command
+      .add_option_function<std::string>(
+          "--environment", [&options](const std::string& name) { options.job.sky = name == "sky"; },
+          "Surroundings that light the picture and are mirrored: studio or sky; default: studio")
+      ->check(CLI::IsMember({"studio", "sky"}).description(""))
       ->type_name("NAME");
   command.add_flag("--list-views", options.list_views, "List the names of --view and draw nothing");
   command.add_flag("--ui", options.job.interface, "Draw the editor's panels into the picture");
@@ -258,7 +265,7 @@ Command add_render(CLI::App& program) {
   CLI::Option* job_file = command->get_option("--job-file");
   for (const char* name :
        {"SCENE", "--frame", "--every", "--frames", "--view", "--camera", "--node", "--size", "--samples", "--quality",
-        "--ui", "--legend", "--transparent", "--contact-sheet", "--video", "--fps", "--set"})
+        "--environment", "--ui", "--legend", "--transparent", "--contact-sheet", "--video", "--fps", "--set"})
     job_file->excludes(command->get_option(name));
   command->get_option("--only")->needs(job_file);
   command->footer(
@@ -275,6 +282,8 @@ Command add_render(CLI::App& program) {
               list_views();
               return kDone;
             }
+            if (options->job.interface && options->job.poster)
+              throw InputError("--quality poster", "cannot be combined with --ui", "use --quality high");
             if (options->job.interface && options->job.transparent)
               throw InputError("--transparent", "cannot be combined with --ui", "leave one of them out");
             render(*options);

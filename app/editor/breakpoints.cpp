@@ -1,5 +1,6 @@
 #include "app/editor/breakpoints.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -39,10 +40,32 @@ std::optional<Stop> next_crack(const Breakpoints& breakpoints, const Frame& befo
   for (std::size_t i = before.crack_events.size(); i < after.crack_events.size(); ++i)
     if (concerns(after.crack_events[i], breakpoints, after, scene_body, selection)) {
       // A node made by an earlier crack of this step does not exist before it.
-      const NodeId node = after.crack_events[i].node;
-      return Stop{node_text(node) + " cracks in the next step.", is_known(node, before) ? node : NodeId(), {}};
+      const CrackEvent& event = after.crack_events[i];
+      return Stop{node_text(event.node) + " cracks in the next step, at " +
+                      ui::format_quantity(100 * event.load / event.resistance, "", 3) + " % of its resistance.",
+                  is_known(event.node, before) ? event.node : NodeId(),
+                  {}};
     }
   return {};
+}
+
+/// Returns the eigenvalues of the separation tensor of the forces at a crack, largest first [N] (O'Brien & Hodgins
+/// 1999, eq. 16). `constrained`: a support acts on the node, whose reaction is missing from the sums of forces.
+Vec3 eigenvalues_at(const CrackEvent& event, bool constrained) {
+  Mat3 tensor = Mat3::Zero();
+  SplitForce sum;
+  for (const CrackElement& element : event.elements) {
+    tensor += (force_dyad(element.force.tensile) - force_dyad(element.force.compressive)) / 2;
+    sum.tensile += element.force.tensile;
+    sum.compressive += element.force.compressive;
+  }
+  if (!constrained) tensor += (force_dyad(sum.compressive) - force_dyad(sum.tensile)) / 2;
+  return Eigen::SelfAdjointEigenSolver<Mat3>(tensor, Eigen::EigenvaluesOnly).eigenvalues().reverse();
+}
+
+ui::ComingCrack coming_crack(const CrackEvent& event, const Frame& before) {
+  const bool constrained = !before.nodes.constraints[event.node].is_free();
+  return {event.node, event.time, event.load, event.resistance, event.normal, eigenvalues_at(event, constrained)};
 }
 
 /// Returns the first crack of the step at each node that exists before it.
@@ -50,7 +73,7 @@ std::vector<ui::ComingCrack> coming_cracks(const Frame& before, const Frame& aft
   std::vector<ui::ComingCrack> cracks;
   for (const CrackEvent& event : after.crack_events.subspan(before.crack_events.size()))
     if (is_known(event.node, before) && std::ranges::find(cracks, event.node, &ui::ComingCrack::node) == cracks.end())
-      cracks.push_back({event.node, event.time, event.load, event.resistance});
+      cracks.push_back(coming_crack(event, before));
   return cracks;
 }
 

@@ -1,6 +1,7 @@
 #include "app/editor/compared_branch.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "ui/model/units.h"
@@ -15,6 +16,18 @@ std::string place_text(const Gap& gap, const Scene& scene) {
   std::string text = "at (";
   for (int i = 0; i < 3; ++i) text += (i > 0 ? ", " : "") + ui::format_quantity(gap.place[i], "", 3);
   return text + ") m of \"" + scene.bodies[static_cast<std::size_t>(gap.scene_body)].name + "\"";
+}
+
+/// Goes to a step of the branch. Steps beyond its end are computed, at least one, for a limited time.
+void run_on(Timeline& timeline, std::int64_t step) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds kFractionOfFrame(30);
+  const Clock::time_point deadline = Clock::now() + kFractionOfFrame;
+  timeline.go_to(step);
+  while (timeline.step() < step) {
+    timeline.advance();
+    if (Clock::now() >= deadline) return;
+  }
 }
 
 }  // namespace
@@ -49,7 +62,7 @@ ComparedBranch::ComparedBranch(Timeline timeline, int branch, EmbeddedDisplay di
 }
 
 void ComparedBranch::follow(const Timeline& shown) {
-  timeline_.go_to(shown.step());
+  run_on(timeline_, shown.step());
   if (std::exchange(shown_branch_, shown.branch()) != shown.branch()) divergence_.reset(), compared_to_ = -1;
   const std::int64_t common = std::min(shown.last_step(), timeline_.last_step());
   if (divergence_ || common == compared_to_) return;
@@ -59,14 +72,14 @@ void ComparedBranch::follow(const Timeline& shown) {
 
 std::string ComparedBranch::difference(const Timeline& shown, const Scene& scene) const {
   const std::string name = "Branch " + std::to_string(branch());
-  const bool has_ended = timeline_.step() < shown.step();
-  std::string text = has_ended ? name + " ends at step " + std::to_string(timeline_.last_step()) + ". " : "";
+  std::string text =
+      is_behind(shown) ? name + " is computed up to step " + std::to_string(timeline_.step()) + " so far. " : "";
   if (!divergence_) return text + name + " is the same as far as both go.";
   text += name + " differs from step " + std::to_string(divergence_->step) + " (" +
           ui::format_quantity(divergence_->time, "s", 3) + ") on";
   if (divergence_->gap.scene_body >= 0) text += ", most " + place_text(divergence_->gap, scene);
   text += ".";
-  if (has_ended) return text;
+  if (is_behind(shown)) return text;
   const Gap now = largest_gap(shown.world().frame(), frame());
   if (now.scene_body < 0) return text + " Now all nodes are in the same places.";
   return text + " Now up to " + length_text(now.distance) + " apart, " + place_text(now, scene) + ".";

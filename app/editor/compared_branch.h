@@ -36,8 +36,11 @@ class ComparedBranch {
   int branch() const { return timeline_.branch(); }
   const Timeline& timeline() const { return timeline_; }
   Frame frame() const { return timeline_.world().frame(); }
-  /// Goes to the step, or to the branch's last one, and finds its first difference from `shown`.
+  /// Goes to the shown step and finds its first difference from `shown`. Beyond the branch's recorded end its steps are
+  /// computed, for a fraction of a drawn frame at a time.
   void follow(const Timeline& shown);
+  /// True if it has not reached the shown step yet.
+  bool is_behind(const Timeline& shown) const { return timeline_.step() < shown.step(); }
   /// Describes the place and time of the first difference from the shown branch, and the current distance.
   std::string difference(const Timeline& shown, const Scene& scene) const;
 

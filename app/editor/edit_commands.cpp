@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "app/editor/body_presets.h"
 #include "app/editor/editor.h"
 #include "app/editor/editor_commands.h"
 #include "app/editor/entry_edits.h"
@@ -8,7 +9,6 @@
 #include "ui/model/entry_place.h"
 
 namespace griffith::app {
-using ui::CommandArgument;
 using ui::CommandContext;
 using ui::Menu;
 namespace key = ui::key;
@@ -60,9 +60,14 @@ std::string_view no_surface_named(const CommandContext& context) {
 
 /// `body`: some decimeters large.
 void add_typical_body(Editor& e, const ui::Command& command, const TypicalBody& body) {
-  e.state().running = false;
-  add_body(e.document().history(), e.state(), "Add " + std::string(command_info(command.name).label),
-           new_body(body, e.document().scene(), e.run().frame()));
+  add_bodies(e.document().history(), e.state(), "Add " + std::string(command_info(command.name).label),
+             {new_body(body, e.document().scene(), e.run().frame())});
+}
+
+/// Adds a preset next to all others.
+void add_preset(Editor& e, const ui::Command& command, std::vector<BodyDescription> bodies) {
+  add_bodies(e.document().history(), e.state(), "Add " + std::string(command_info(command.name).label),
+             placed(std::move(bodies), e.document().scene(), e.run().frame()));
 }
 
 const EditorCommand kEditCommands[] = {
@@ -141,50 +146,61 @@ const EditorCommand kEditCommands[] = {
       .disabled_reason = no_region_selected,
       .is_on = [](const CommandContext& context) { return context.state.paint_regions; }},
      [](Editor& e, const ui::Command&) { toggle(e.state().paint_regions); }},
-    {{.name = "edit.record_macro",
-      .label = "Record macro",
-      .hint = "Record your actions as a script until you choose this again; macros are in this menu and in the palette",
-      .menu = Menu::edit,
-      .group = 3,
-      .is_on = [](const CommandContext& context) { return context.state.recording_macro; },
-      .recorded = false},
-     [](Editor& e, const ui::Command&) { e.scripting().toggle_recording(); }},
-    {{.name = "add.box", .label = "Box", .hint = "Add a block of concrete", .menu = Menu::add},
+    {{.name = "add.box", .label = "Box", .hint = "Add a block of concrete: 500 mm", .menu = Menu::add},
      [](Editor& e, const ui::Command& c) {
        add_typical_body(
            e, c, {"box", "concrete", BoxShape{Vec3(0.5, 0.5, 0.5), Vec3::Constant(0.125), BoxPattern::five_tet}});
      }},
-    {{.name = "add.plate", .label = "Plate", .hint = "Add a glass plate lying on the ground", .menu = Menu::add},
+    {{.name = "add.plate",
+      .label = "Plate",
+      .hint = "Add a glass plate lying on the ground: 0.8 x 0.8 m, 20 mm thick",
+      .menu = Menu::add},
      [](Editor& e, const ui::Command& c) {
        add_typical_body(
            e, c,
            {"plate", "soda_lime_glass", BoxShape{Vec3(0.8, 0.02, 0.8), Vec3(0.08, 0.01, 0.08), BoxPattern::five_tet}});
      }},
-    {{.name = "add.pane", .label = "Pane", .hint = "Add an upright pane of glass", .menu = Menu::add},
+    {{.name = "add.pane",
+      .label = "Pane",
+      .hint = "Add an upright pane of glass: 0.8 x 0.8 m, 20 mm thick",
+      .menu = Menu::add},
      [](Editor& e, const ui::Command& c) {
        add_typical_body(
            e, c,
            {"pane", "soda_lime_glass", BoxShape{Vec3(0.8, 0.8, 0.02), Vec3(0.08, 0.08, 0.01), BoxPattern::five_tet}});
      }},
-    {{.name = "add.cylinder", .label = "Cylinder", .hint = "Add a column of concrete", .menu = Menu::add},
+    {{.name = "add.cylinder",
+      .label = "Cylinder",
+      .hint = "Add a column of concrete: 0.6 m high, 200 mm thick",
+      .menu = Menu::add},
      [](Editor& e, const ui::Command& c) {
        add_typical_body(
            e, c,
            {"cylinder", "concrete", CylinderShape{0.1, 0.6, Vec2(0.05, 0.06), BoxPattern::five_tet}, Vec3(90, 0, 0)});
      }},
-    {{.name = "add.sphere", .label = "Sphere", .hint = "Add a ball of concrete", .menu = Menu::add},
+    {{.name = "add.sphere", .label = "Sphere", .hint = "Add a ball of concrete: 400 mm", .menu = Menu::add},
      [](Editor& e, const ui::Command& c) {
        add_typical_body(e, c, {"sphere", "concrete", SphereShape{0.2, 0.08, BoxPattern::five_tet}});
      }},
     {{.name = "add.beam",
       .label = "Notched beam",
-      .hint = "Add a concrete beam with a notch in its underside",
+      .hint = "Add a concrete beam with a notch in its underside: 1.2 x 0.2 x 0.2 m",
       .menu = Menu::add},
      [](Editor& e, const ui::Command& c) {
        add_typical_body(e, c,
                         {"beam", "concrete",
                          NotchedBeamShape{Vec3(1.2, 0.2, 0.2), 0.05, Vec3::Constant(0.05), BoxPattern::five_tet}});
      }},
+    {{.name = "add.brick_wall",
+      .label = "Brick wall",
+      .hint = "Add a wall of bricks on a fixed foot: 2.5 x 2 m, 250 mm thick",
+      .menu = Menu::add},
+     [](Editor& e, const ui::Command& c) { add_preset(e, c, brick_wall()); }},
+    {{.name = "add.table",
+      .label = "Table",
+      .hint = "Add a table: a glass top of 1.2 x 0.7 m, 10 mm thick, on four wooden legs",
+      .menu = Menu::add},
+     [](Editor& e, const ui::Command& c) { add_preset(e, c, table()); }},
     {{.name = "file.add_surface",
       .label = "Add a body from a surface…",
       .hint = "Fill a surface file with tetrahedra and add it to the scene",
@@ -236,26 +252,6 @@ const EditorCommand kEditCommands[] = {
       .disabled_reason = no_surface_named,
       .for_pictures = false},
      [](Editor& e, const ui::Command&) { e.builder().add_surface(); }},
-    {{.name = "edit.save_macro",
-      .label = "Save macro…",
-      .hint = "Save the last recorded macro",
-      .argument = CommandArgument::path,
-      .with_path = "edit.write_macro"},
-     [](Editor& e, const ui::Command& c) { e.scripting().ask_where_to_save(c.path); }},
-    {{.name = "edit.write_macro",
-      .label = "Write macro",
-      .hint = "Write the last recorded macro to a file",
-      .argument = CommandArgument::path,
-      .recorded = false,
-      .for_pictures = false},
-     [](Editor& e, const ui::Command& c) { e.scripting().save(c); }},
-    {{.name = "edit.play_macro",
-      .label = "Play macro",
-      .hint = "Play the script with the given path",
-      .argument = CommandArgument::path,
-      .recorded = false,
-      .for_pictures = false},
-     [](Editor& e, const ui::Command& c) { e.scripting().play(read_script(c.path)); }},
 };
 
 }  // namespace

@@ -100,12 +100,12 @@ void Editor::draw_panels(const ui::Fonts& fonts) {
   for (const ui::Command& command : ui::draw_editor(input, state_, document_.history(), tags_)) execute(command);
   scripting_.note();
   if (builder_.follow_edits()) scripting_.skip();
-  viewport_.follow_mouse();
+  viewport_.follow_mouse(run_.lags());
 }
 
 double Editor::seconds_to_next_frame() const {
-  const bool works = !run_.travel_stage().empty() || !files_.stage().empty();
-  if (state_.running || works || !state_.waiting.empty()) return kDrawAtOnce;
+  const bool works = !run_.travel_stage().empty() || !files_.stage().empty() || analysis_.computes_comparison();
+  if (state_.running || works || viewport_.draws_draft() || !state_.waiting.empty()) return kDrawAtOnce;
   if (!state_.work.empty()) return kWorkPause;
   if (scenes_.awaits_thumbnails()) return kPicturePause;
   return ImGui::GetIO().WantTextInput ? kCursorPause : kDrawNever;

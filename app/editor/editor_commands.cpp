@@ -10,7 +10,8 @@ namespace {
 const std::vector<EditorCommand>& all_commands() {
   static const std::vector<EditorCommand> commands = [] {
     std::vector<EditorCommand> all;
-    for (const auto part : {file_commands(), edit_commands(), run_commands(), view_commands()})
+    for (const auto part :
+         {file_commands(), edit_commands(), arrange_commands(), macro_commands(), run_commands(), view_commands()})
       all.insert(all.end(), part.begin(), part.end());
     return all;
   }();

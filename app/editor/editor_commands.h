@@ -18,6 +18,8 @@ struct EditorCommand {
 // The commands by subject, in the order of menus and help.
 std::span<const EditorCommand> file_commands();
 std::span<const EditorCommand> edit_commands();
+std::span<const EditorCommand> arrange_commands();
+std::span<const EditorCommand> macro_commands();
 std::span<const EditorCommand> run_commands();
 std::span<const EditorCommand> view_commands();
 

@@ -39,11 +39,18 @@ void add_to_body(ui::EditHistory& history, ui::EditorState& state, const Frame& 
 
 }  // namespace
 
-void add_body(ui::EditHistory& history, ui::EditorState& state, const std::string& label, BodyDescription body) {
-  add_entry(history, state, label, [&](Scene& scene) {
-    scene.bodies.push_back(std::move(body));
-    return SceneEntry{EntryKind::body, last_of(scene.bodies)};
+void add_bodies(ui::EditHistory& history, ui::EditorState& state, const std::string& label,
+                std::vector<BodyDescription> bodies) {
+  state.running = false;
+  std::vector<SceneEntry> added;
+  history.change(label, [&](Scene& scene) {
+    for (BodyDescription& body : bodies) {
+      scene.bodies.push_back(std::move(body));
+      added.push_back({EntryKind::body, last_of(scene.bodies)});
+    }
   });
+  history.finish();
+  ui::select_entries(state, history.scene(), std::move(added));
 }
 
 void add_support(ui::EditHistory& history, ui::EditorState& state, const Frame& frame, const Scene& built) {

@@ -9,8 +9,9 @@ namespace griffith::app {
 
 // Edits of the scene's entries. Each is one entry of the history, and selects what it made.
 
-/// Adds a body.
-void add_body(ui::EditHistory& history, ui::EditorState& state, const std::string& label, BodyDescription body);
+/// Adds bodies and selects them.
+void add_bodies(ui::EditHistory& history, ui::EditorState& state, const std::string& label,
+                std::vector<BodyDescription> bodies);
 /// Adds a support, a load or a probe to the selected body. `frame`: of the world that was built from `built`.
 void add_support(ui::EditHistory& history, ui::EditorState& state, const Frame& frame, const Scene& built);
 void add_load(ui::EditHistory& history, ui::EditorState& state, const Frame& frame, const Scene& built);

@@ -12,15 +12,6 @@
 namespace griffith::app {
 namespace {
 
-/// Returns the material with its resistance to fracture multiplied by a factor.
-Material stronger(Material material, double factor) {
-  material.tensile_strength *= factor;
-  if (material.compressive_strength) *material.compressive_strength *= factor;
-  material.fracture_toughness *= factor;
-  material.separation_toughness *= factor;
-  return material;
-}
-
 /// Makes a step. True if the body does not crack at that place; a change of thickness moves its nodes by rounding
 /// errors.
 bool steps_whole(World& world, int scene_body, const Vec3& place, const Monitor& monitor) {
@@ -57,6 +48,14 @@ World build(const Scene& scene, const Monitor& monitor) { return World(scene, Mo
 std::size_t overlaps_in(const World& world) { return starting_overlaps(world.scene(), world.frame()).size(); }
 
 }  // namespace
+
+Material stronger(Material material, double factor) {
+  material.tensile_strength *= factor;
+  if (material.compressive_strength) *material.compressive_strength *= factor;
+  material.fracture_toughness *= factor;
+  material.separation_toughness *= factor;
+  return material;
+}
 
 CriticalFactor critical_factor(const std::function<bool(double)>& holds, double largest) {
   const StateAt state = states_of(holds);

@@ -29,6 +29,9 @@ CriticalFactor critical_factor(const std::function<bool(double)>& holds, double 
 /// crack opens at a node in the next step of `before`, by repeating that step. Throws Cancelled.
 CriticalFactor critical_strength_factor(const World& before, int scene_body, NodeId node, const Monitor& monitor = {});
 
+/// Returns a material whose tensile strength, toughness and other resistances are `factor` times as high.
+Material stronger(Material material, double factor);
+
 /// A run up to the step in which a node cracks, to be repeated from its start with a change.
 struct RunToCrack {
   Scene scene;

@@ -65,6 +65,23 @@ std::string trial_summary(const HoldingAnswer& answer) {
          format_quantity(kTimeToHold, "s", 2) + " after the crack.";
 }
 
+bool is_critical(const std::optional<CriticalFactor>& factor) {
+  return factor && factor->found && factor->breaks_at_one && factor->runs > 0;
+}
+
+std::vector<ui::WorkReport::Action> ways_to_apply(const HoldingAnswer& answer, const RunToCrack& run) {
+  std::vector<ui::WorkReport::Action> actions;
+  const std::string& body = run.scene.bodies[static_cast<std::size_t>(run.scene_body)].name;
+  if (is_critical(answer.strength))
+    actions.push_back({"time.apply_strength", "Apply: " + times(answer.strength.holds) + " the strength of " + body});
+  if (is_critical(answer.speed))
+    actions.push_back({"time.apply_speed", "Apply: " + times(1 / answer.speed->holds) + " the speed"});
+  if (is_critical(answer.thickness))
+    actions.push_back(
+        {"time.apply_thickness", "Apply: " + times(answer.thickness->holds) + " the thickness of " + body});
+  return actions;
+}
+
 }  // namespace
 
 ui::WorkReport holding_report(const HoldingAnswer& answer, const RunToCrack& run) {
@@ -75,6 +92,7 @@ ui::WorkReport holding_report(const HoldingAnswer& answer, const RunToCrack& run
   if (answer.speed || !ended_early) report.facts.push_back(speed_fact(answer.speed, run));
   if (answer.thickness || !ended_early) report.facts.push_back(thickness_fact(answer.thickness, run));
   report.facts.push_back(trial_summary(answer));
+  report.actions = ways_to_apply(answer, run);
   if (answer.cancelled) report.warnings.push_back("Cancelled before the search was complete.");
   if (!answer.problem.empty()) report.warnings.push_back("The search ended early: " + answer.problem);
   return report;

@@ -18,9 +18,10 @@ void RunAnalysis::explain_holding() {
 void RunAnalysis::go_on() {
   if (!holding_) return;
   if (std::exchange(state_.cancel_work, false)) holding_->cancel();
-  const std::optional<HoldingAnswer> answer = holding_->take();
+  std::optional<HoldingAnswer> answer = holding_->take();
   if (!answer) return;
-  state_.report = holding_report(*answer, holding_->run());
+  found_ = HoldingFound{std::move(*answer), holding_->run()};
+  state_.report = holding_report(found_->answer, found_->run);
   holding_.reset();
 }
 
@@ -43,7 +44,10 @@ void RunAnalysis::follow_comparison() {
   if (!compared_ || compared_->branch() != *branch || is_new)
     compared_ = std::make_unique<ComparedBranch>(timeline, *branch, viewport_.display());
   compared_->follow(timeline);
+  state_.comparison.step = compared_->timeline().step();
 }
+
+bool RunAnalysis::computes_comparison() const { return compared_ && compared_->is_behind(run_.timeline()); }
 
 void RunAnalysis::draw_comparison(std::optional<int> samples) {
   if (!compared_) return;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/editor/compared_branch.h"
+#include "app/editor/holding_edits.h"
 #include "app/editor/holding_search.h"
 #include "app/editor/run_controller.h"
 
@@ -23,10 +24,15 @@ class RunAnalysis {
   /// Describes the progress of the search; empty if there is none.
   std::string stage() const { return holding_ ? holding_->stage() : std::string(); }
 
+  /// Returns the result of the last search; empty before the first.
+  const std::optional<HoldingFound>& found() const { return found_; }
+
   /// Compares with the parent branch or the newest one; or ends the comparison.
   void toggle_comparison();
   /// Brings the compared branch to the shown step.
   void follow_comparison();
+  /// True if steps of the compared branch are still to be computed.
+  bool computes_comparison() const;
   /// Draws the compared branch as the viewport draws the shown one. `samples`: as in Viewport::draw().
   void draw_comparison(std::optional<int> samples);
   std::optional<ui::ComparisonView> comparison_view() const;
@@ -39,6 +45,7 @@ class RunAnalysis {
   const RunController& run_;
   const Viewport& viewport_;
   std::unique_ptr<HoldingSearch> holding_;
+  std::optional<HoldingFound> found_;
   std::unique_ptr<ComparedBranch> compared_;
   std::int64_t compared_world_ = -1;  ///< world of the compared branch
   std::string difference_;            ///< text about the compared branch

@@ -1,6 +1,11 @@
+#include <algorithm>
+#include <string>
+
 #include "app/editor/editor.h"
 #include "app/editor/editor_commands.h"
 #include "app/editor/entry_edits.h"
+#include "app/editor/holding_edits.h"
+#include "app/editor/messages.h"
 
 namespace griffith::app {
 using ui::CommandArgument;
@@ -30,6 +35,34 @@ std::string_view not_stopped_before_a_crack(const CommandContext& context) {
 
 std::string_view nothing_fired(const CommandContext& context) {
   return unless(context.state.last_shot.has_value(), "No shot has been fired since the last one was added.");
+}
+
+/// True if the report on what would have held a node offers that command.
+bool is_offered(const CommandContext& context, std::string_view command) {
+  return context.state.report &&
+         std::ranges::find(context.state.report->actions, command, &ui::WorkReport::Action::command) !=
+             context.state.report->actions.end();
+}
+
+constexpr std::string_view kNothingFound = "No such change was found; use What would have held it? first.";
+
+std::string_view no_strength_found(const CommandContext& context) {
+  return unless(is_offered(context, "time.apply_strength"), kNothingFound);
+}
+std::string_view no_speed_found(const CommandContext& context) {
+  return unless(is_offered(context, "time.apply_speed"), kNothingFound);
+}
+std::string_view no_thickness_found(const CommandContext& context) {
+  return unless(is_offered(context, "time.apply_thickness"), kNothingFound);
+}
+
+/// Makes the edit that would have held the node and closes the report. `effect`: what it begins.
+void apply_found(Editor& e, void (*apply)(ui::EditHistory&, const HoldingFound&), const char* effect) {
+  e.state().running = false;
+  e.state().report.reset();
+  apply(e.document().history(), *e.analysis().found());
+  e.builder().follow_edits();
+  log_message(e.state(), ui::LogLevel::info, std::string("Applied ") + effect + " Press Space to run it.");
 }
 
 /// The last edits belong to the time that is left.
@@ -122,6 +155,23 @@ const EditorCommand kRunCommands[] = {
        e.builder().follow_edits();
        e.analysis().explain_holding();
      }},
+    {{.name = "time.apply_strength",
+      .label = "Apply strength",
+      .hint = "Give the body the strength at which the node holds, from this step on, as a branch",
+      .disabled_reason = no_strength_found},
+     [](Editor& e, const ui::Command&) {
+       apply_found(e, apply_strength, "the strength, from this step on as a branch; B compares it with the other one.");
+     }},
+    {{.name = "time.apply_speed",
+      .label = "Apply speed",
+      .hint = "Slow all shots and moving bodies so that the node holds, and restart",
+      .disabled_reason = no_speed_found},
+     [](Editor& e, const ui::Command&) { apply_found(e, apply_speed, "the speed, from the start."); }},
+    {{.name = "time.apply_thickness",
+      .label = "Apply thickness",
+      .hint = "Make the body so thick that the node holds, and restart",
+      .disabled_reason = no_thickness_found},
+     [](Editor& e, const ui::Command&) { apply_found(e, apply_thickness, "the thickness, from the start."); }},
     {{.name = "time.compare",
       .label = "Compare branches",
       .hint = "Show another branch at the same step next to this one, and where they first differ",

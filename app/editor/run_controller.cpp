@@ -143,12 +143,21 @@ void RunController::follow_step(std::optional<World> before, std::optional<StepP
   adopt_materials();
   remember();
   viewport_.follow_step(shown(), std::move(picture));
+  explain_first_crack();
   const StepReport& report = frame().report;
   pace_.add_step(document_.scene().simulation.time_step, report.milliseconds.step / 1000);
   if (report.non_finite_values > 0)
     log_message(
         state_, ui::LogLevel::error,
         "Step " + std::to_string(frame().step) + ": values not finite or substeps too short; bodies were frozen.");
+}
+
+void RunController::explain_first_crack() {
+  const Frame now = frame();
+  if (!state_.explain_first_crack || now.report.cracks == 0) return;
+  state_.explain_first_crack = false;
+  const std::size_t first = now.crack_events.size() - static_cast<std::size_t>(now.report.cracks);
+  if (!state_.selection.valid()) select_node(state_, now, now.crack_events[first].node);
 }
 
 bool RunController::stop_before_step(World before) {

@@ -65,6 +65,8 @@ class RunController {
   void continue_travel(double seconds);
   /// Describes the way that is left; empty if there is none.
   std::string travel_stage() const;
+  /// True if the simulation runs slower than requested.
+  bool lags() const { return state_.running && pace_.falling_behind(); }
   /// Sets the approximate limit for copies of the world [bytes].
   void limit_memory(std::size_t memory) { timeline_.limit_memory(memory); }
 
@@ -98,6 +100,8 @@ class RunController {
   /// Handles a finished step. `before`: the world before it, if breakpoints are set. `picture`: of the world, if any.
   void follow_step(std::optional<World> before, std::optional<StepPicture> picture);
   bool watches() const { return state_.breakpoints.any() && !passes_stop_; }
+  /// Selects the node of the first crack if that was requested and nothing else is selected.
+  void explain_first_crack();
   /// True if a breakpoint lies in the step just made from `before`; the step is then undone.
   bool stop_before_step(World before);
 

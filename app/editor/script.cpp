@@ -87,6 +87,7 @@ class Words {
 };
 
 constexpr float kMaxDrag = 1e5f;
+constexpr double kFarthest = 1e6;  // [m]
 
 void read_argument(Words& words, ui::CommandArgument argument, ui::Command& command) {
   switch (argument) {
@@ -104,6 +105,10 @@ void read_argument(Words& words, ui::CommandArgument argument, ui::Command& comm
     case ui::CommandArgument::cursor:
       command.cursor.x() = words.take_number("the horizontal position in the view", 0.0, 1.0);
       command.cursor.y() = words.take_number("the vertical position in the view", 0.0, 1.0);
+      return;
+    case ui::CommandArgument::array:
+      command.step = words.take_number<std::int64_t>("the number of bodies", 2, ui::kMaxArray);
+      for (double& way : command.offset) way = words.take_number("the offset [m]", -kFarthest, kFarthest);
   }
 }
 
@@ -137,7 +142,6 @@ void read_choose(Words& words, ScriptLine& line) {
 }
 
 void read_look(Words& words, ScriptLine& line) {
-  constexpr double kFarthest = 1e6;
   for (Vec3* place : {&line.eye, &line.target})
     for (double& coordinate : *place) coordinate = words.take_number("a coordinate", -kFarthest, kFarthest);
   if (line.eye == line.target) words.fail("has the eye at the target", "move the eye away from the target");
@@ -281,6 +285,11 @@ std::string script_line(const ui::Command& command) {
       break;
     case ui::CommandArgument::cursor:
       line << " " << command.cursor.x() << " " << command.cursor.y();
+      break;
+    case ui::CommandArgument::array:
+      if (!info.with_path.empty()) break;  // its dialog asks
+      line << " " << command.step;
+      for (const double way : command.offset) line << " " << way;
   }
   return line.str();
 }

@@ -40,6 +40,13 @@ void look_through(Editor& e) {
   if (entry && entry->kind == ui::EntryKind::camera) e.viewport().use_camera(scene, ui::entry_name(scene, *entry));
 }
 
+/// Looks at the same point from the same distance, against `toward_eye` of length 1.
+void look_along(Editor& e, const Vec3& toward_eye) {
+  const render::Camera& camera = e.viewport().camera();
+  const Vec3 target = camera.target.cast<double>();
+  e.viewport().look_from(target + (camera.position - camera.target).cast<double>().norm() * toward_eye, target);
+}
+
 const EditorCommand kViewCommands[] = {
     {{.name = "view.frame_all",
       .label = "Frame all",
@@ -47,6 +54,36 @@ const EditorCommand kViewCommands[] = {
       .menu = Menu::view,
       .shortcut = {key::kHome}},
      [](Editor& e, const ui::Command&) { e.viewport().frame_all(e.run().shown()); }},
+    {{.name = "view.front",
+      .label = "Front view",
+      .hint = "Look at the same place from the front, along -z",
+      .menu = Menu::view,
+      .shortcut = {'1'}},
+     [](Editor& e, const ui::Command&) { look_along(e, Vec3::UnitZ()); }},
+    {{.name = "view.back",
+      .label = "Back view",
+      .hint = "Look at the same place from the back, along z",
+      .menu = Menu::view,
+      .shortcut = {'1', true}},
+     [](Editor& e, const ui::Command&) { look_along(e, -Vec3::UnitZ()); }},
+    {{.name = "view.right",
+      .label = "Right view",
+      .hint = "Look at the same place from the right, along -x",
+      .menu = Menu::view,
+      .shortcut = {'3'}},
+     [](Editor& e, const ui::Command&) { look_along(e, Vec3::UnitX()); }},
+    {{.name = "view.left",
+      .label = "Left view",
+      .hint = "Look at the same place from the left, along x",
+      .menu = Menu::view,
+      .shortcut = {'3', true}},
+     [](Editor& e, const ui::Command&) { look_along(e, -Vec3::UnitX()); }},
+    {{.name = "view.top",
+      .label = "Top view",
+      .hint = "Look at the same place from above, along -y",
+      .menu = Menu::view,
+      .shortcut = {'7'}},
+     [](Editor& e, const ui::Command&) { look_along(e, Vec3::UnitY()); }},
     {{.name = "view.edges",
       .label = "Element edges",
       .hint = "Show or hide the edges of the elements",

@@ -1,6 +1,9 @@
 #include "app/editor/viewport.h"
 
+#include <epoxy/gl.h>
+
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -71,8 +74,19 @@ bool Viewport::draw(const ShownWorld& world, std::optional<int> samples) {
   if (key == drawn_) return false;
   drawn_ = std::move(key);
   update(world);
-  renderer_.render(picture_, picture_camera(), picture_options(size().x(), size().y(), samples, state_.view));
+  render(drawn_.draft, samples);
   return true;
+}
+
+void Viewport::render(bool draft, std::optional<int> samples) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begun = Clock::now();
+  ViewSettings view = state_.view;
+  if (draft) view.quality = PictureQuality::draft;
+  renderer_.render(picture_, picture_camera(), picture_options(size().x(), size().y(), samples, view));
+  if (!draft_.allowed() || draft) return;
+  glFinish();  // to measure the drawing, not its request
+  draft_.drew_full(std::chrono::duration<double>(Clock::now() - begun).count());
 }
 
 void Viewport::use_camera(const Scene& scene, const std::string& name) {
@@ -107,8 +121,9 @@ void Viewport::frame_all(const ShownWorld& world) {
   look_at(bulk.isEmpty() ? render::bounds(picture_) : bulk);
 }
 
-void Viewport::follow_mouse() {
+void Viewport::follow_mouse(bool steps_lag) {
   const ui::CameraMotion motion = std::exchange(state_.camera_motion, {});
+  draft_.follow(steps_lag || !(motion == ui::CameraMotion{}));
   if (motion == ui::CameraMotion{}) return;  // rounding errors alone would move a camera at rest
   camera_ = render::orbit(camera_, motion.yaw, motion.pitch);
   camera_ = render::pan(camera_, motion.pan_right, motion.pan_up);
@@ -216,8 +231,9 @@ Viewport::ContentKey Viewport::content_key(const WorldVersion& version) const {
 }
 
 Viewport::PictureKey Viewport::picture_key(const WorldVersion& version) const {
-  return {content_key(version), size().x(),    size().y(), state_.comparison.branch.value_or(-1),
-          camera_.position,     camera_.target};
+  const ui::Comparison& compared = state_.comparison;
+  return {content_key(version), size().x(),  size().y(),       compared.branch.value_or(-1),
+          compared.step,        draft_.on(), camera_.position, camera_.target};
 }
 
 Eigen::Vector2i Viewport::size() const {

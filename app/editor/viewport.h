@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "app/editor/draft_quality.h"
 #include "app/editor/run_export.h"
 #include "app/editor/step_picture.h"
 #include "renderer/camera.h"
@@ -64,8 +65,12 @@ class Viewport {
   void use_view(const std::string& names, const Frame& frame);
   void look_from(const Vec3& eye, const Vec3& target);
   void frame_all(const ShownWorld& world);
-  /// Moves camera and slice as the mouse did.
-  void follow_mouse();
+  /// Moves camera and slice as the mouse did. `steps_lag`: the simulation runs and cannot keep up.
+  void follow_mouse(bool steps_lag);
+  /// Lets pictures that take longer than `smooth` [s] be drafts while the camera moves or steps lag.
+  void allow_drafts(double smooth = 0.03) { draft_.allow(smooth); }
+  /// True if the next picture is a draft, to be drawn again in full.
+  bool draws_draft() const { return draft_.on(); }
   void toggle_slice(const Frame& frame);
   void toggle_range_lock();
 
@@ -103,6 +108,8 @@ class Viewport {
     ContentKey content;
     int width = 0, height = 0;
     int compared = -1;  ///< compared branch; -1: none
+    std::int64_t compared_step = 0;
+    bool draft = false;
     Eigen::Vector3f position = Eigen::Vector3f::Zero(), target = Eigen::Vector3f::Zero();
     bool operator==(const PictureKey&) const = default;
   };
@@ -112,6 +119,8 @@ class Viewport {
   Eigen::Vector2i size() const;
   float aspect() const;
   render::Camera picture_camera() const { return render::widen(camera_, aspect()); }
+  /// Draws the current picture in full or draft quality.
+  void render(bool draft, std::optional<int> samples);
   render::Ray ray_at(const Vec2& cursor, int width, int height) const;
   /// Moves the camera along its line of sight and sideways until the picture shows all of the box.
   void look_at(const Eigen::AlignedBox3f& bounds);
@@ -124,6 +133,7 @@ class Viewport {
   SteadyRange range_;
   render::Camera camera_;
   render::Renderer renderer_;
+  DraftQuality draft_;
   render::DrawScene picture_;
   ContentKey made_of_;  ///< input of the current picture
   PictureKey drawn_;

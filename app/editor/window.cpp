@@ -233,10 +233,12 @@ void follow_preferences(PreferencesFile& file, Editor& editor, ImGuiContextOwner
   }
 }
 
-/// Runs the simulation for users without a scene of their own, so that projectiles move.
+/// Runs the scene of users without one of their own, until something breaks and is explained.
 void begin_first_run(Editor& editor) {
+  editor.state().explain_first_crack = true;
   editor.execute({.name = "simulation.run"});
-  log_message(editor.state(), ui::LogLevel::info, "Right-click the wall to fire at it. See Help > Tour.");
+  log_message(editor.state(), ui::LogLevel::info,
+              "The panel on the right explains the first crack. Right-click the wall to fire at it. See Help > Tour.");
 }
 
 /// Waits a limited time until there is something to draw. True if there is.
@@ -326,6 +328,7 @@ void run_editor(const EditorOptions& options) {
   editor.scenes().show_thumbnails({this_program(), thumbnail_cache()});
   editor.scripting().use_macros(macro_folder());
   editor.run().step_in_background();
+  editor.viewport().allow_drafts();
   if (!named) begin_first_run(editor);
   loop(editor, imgui, window, input, std::move(player), preferences, options.exit_after);
   if (!options.screenshot.empty()) save_picture(options.screenshot, window_image(window));

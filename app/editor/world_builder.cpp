@@ -67,7 +67,10 @@ void WorldBuilder::open(const fs::path& path) {
 
 void WorldBuilder::open_empty() {
   recovery_.remove_copy();
-  show_scene({}, nullptr, "", {}, build_world({}, ""));
+  Scene empty;
+  empty.view.quantity = "material";
+  empty.view.edges = false;
+  show_scene(empty, nullptr, "", {}, build_world(empty, ""));
 }
 
 void WorldBuilder::recover() {

@@ -117,8 +117,9 @@ std::vector<Source> sources_of(const Scene& scene) {
 }
 
 /// Returns the direction of a fragment: near the crack's normal to either side.
+/// Most are slow and stay near the crack.
 Vec3 throw_of(const Source& source, Chance& chance) {
-  const double side = chance() < 0.5 ? -1 : 1, strength = 0.3 + 1.4 * chance();
+  const double side = chance() < 0.5 ? -1 : 1, fast = chance(), strength = 0.15 + 1.55 * fast * fast * fast;
   return source.speed * strength * (side * source.normal + 0.7 * chance.in_cube());
 }
 
@@ -172,12 +173,15 @@ struct Crumb {
   render::Rgb color;
 };
 
+/// Returns a size relative to the mean one: many are small and few are large, as in crushed rock (Pareto's law).
+double graded_size(Chance& chance) { return std::min(0.45 * std::pow(1 - chance(), -0.45), 2.6); }
+
 Crumb crumb_of(const Source& source, const Scene& scene, Chance& chance) {
   const double come_out = std::min(0.3 + source.age / 0.1, 1.0);
   const double size = std::min(source.crumbling->size * source.size, kLargestCrumb);
   Crumb crumb;
   crumb.age = source.age;
-  crumb.radius = source.openness * come_out * size * (0.4 + 0.8 * chance());
+  crumb.radius = source.openness * come_out * size * graded_size(chance);
   crumb.flight = {source.place, throw_of(source, chance), scene.gravity};
   const float shade = static_cast<float>(0.85 + 0.25 * chance());
   const auto lit = [&](float channel) { return std::min(1.0f, shade * channel); };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "app/picture/carried_points.h"
 #include "app/picture/crack_dust.h"
@@ -87,6 +88,7 @@ void color_by_material(render::DrawScene& picture, const Frame& frame) {
     const auto index = static_cast<std::size_t>(look_index(frame.bodies[body].scene_body, look));
     const render::EmbeddedMaterial& material = picture.embedded.materials[index];
     picture.surface.colors.push_back(material.color);
+    picture.surface.matters.push_back(static_cast<std::int32_t>(index));
     if (material.clear_depth == 0) {
       picture.surface.flags[i] &= static_cast<std::uint8_t>(~render::kCrackFace);  // the inside has a color of its own
       continue;
@@ -103,8 +105,9 @@ render::ScalarStyle scalar_style(const ViewSettings& view, const QuantityValues&
   Vec2 range = view.range.value_or(automatic);
   if ((view.symmetric || parted) && !view.range) range = symmetric_range(range);
   render::ScalarStyle style;
-  style.color_map =
-      render::find_color_map(view.color_map).value_or(parted ? render::ColorMap::coolwarm : render::ColorMap::viridis);
+  const render::ColorMap one_sided =
+      view.quantity == "utilization" ? render::ColorMap::heat : render::ColorMap::viridis;
+  style.color_map = render::find_color_map(view.color_map).value_or(parted ? render::ColorMap::coolwarm : one_sided);
   style.minimum = static_cast<float>(range[0]);
   style.maximum = static_cast<float>(range[1]);
   style.histogram = histogram(values, range, kBins);
@@ -115,6 +118,9 @@ render::ScalarStyle scalar_style(const ViewSettings& view, const QuantityValues&
   style.unit = quantity->unit;
   return style;
 }
+
+/// True if materials have their natural colors.
+bool shows_materials(const ViewSettings& view) { return view.quantity == "material" || view.quantity == "texture"; }
 
 /// Adds the edges of the wireframe, or the triangles of the bodies, to the picture.
 void add_elements(const ShownMesh& shown, const TetFilter& filter, const QuantityValues* values, TetId selected,
@@ -142,12 +148,13 @@ void add_elements(const ShownMesh& shown, const TetFilter& filter, const Quantit
   picture.surface.scalar_style = style;
   picture.surface.opacity = static_cast<float>(view.opacity);
   if (values) add_scalars(triangles, shown.frame, *values, picture.surface);
+  if (shows_materials(view)) picture.surface.rests = rest_corners(triangles, shown.frame);
 }
 
 /// Adds colors for pictures without a scalar.
 void add_colors(render::DrawScene& picture, const Frame& frame, const EmbeddedPieces& pieces,
                 const ViewSettings& view) {
-  if (view.quantity == "material" || view.quantity == "texture") {
+  if (shows_materials(view)) {
     picture.embedded.checker = view.quantity == "texture";
     color_by_material(picture, frame);
   } else if (view.quantity == "plain") {
@@ -202,6 +209,10 @@ void add_plain_triangle(render::Surface& surface) {
   surface.ids.resize(triangles, render::kNoId);
   surface.flags.resize(triangles, 0);
   surface.scalars.resize(surface.scalars.size() + scalars, 0);
+  if (!surface.matters.empty()) {
+    surface.matters.push_back(-1);
+    surface.rests.resize(surface.rests.size() + 3, Eigen::Vector3f::Zero());
+  }
   surface.colors.push_back(kProjectileColor);
   surface.ids.push_back(render::kNoId);
   surface.flags.push_back(render::kPlain);
@@ -219,14 +230,31 @@ void add_hull(const ProjectileView& projectile, render::Surface& surface) {
     }
 }
 
+/// Returns a ball that looks like a material of its density.
+render::Sphere ball_of(const ProjectileView& projectile) {
+  constexpr double kLead = 9500, kSteel = 6000, kStone = 1800;  // least densities [kg/m³]
+  const double density = projectile.mass / (4.0 / 3 * std::numbers::pi * std::pow(projectile.radius, 3));
+  const Quat& turn = projectile.rotation;
+  render::Sphere ball{projectile.position.cast<float>(), static_cast<float>(projectile.radius), kProjectileColor,
+                      render::kNoId};
+  ball.rotation = Eigen::Vector4d(turn.x(), turn.y(), turn.z(), turn.w()).cast<float>();
+  if (density > kLead) {
+    ball.color = {0.42f, 0.43f, 0.47f}, ball.metal = 0.9f, ball.roughness = 0.55f;
+  } else if (density > kSteel) {
+    ball.color = {0.72f, 0.73f, 0.74f}, ball.metal = 1, ball.roughness = 0.12f;
+  } else if (density > kStone) {
+    ball.color = {0.50f, 0.48f, 0.45f}, ball.roughness = 0.8f, ball.mottle = 1;
+  }
+  return ball;
+}
+
 void add_surroundings(const Frame& frame, const Scene& scene, render::DrawScene& picture) {
   for (const ProjectileView& projectile : frame.projectiles) {
     if (!projectile.corners.empty()) {
       add_hull(projectile, picture.surface);
       continue;
     }
-    picture.spheres.push_back(
-        {projectile.position.cast<float>(), static_cast<float>(projectile.radius), kProjectileColor, render::kNoId});
+    picture.spheres.push_back(ball_of(projectile));
   }
   if (!scene.ground) return;
   render::Ground ground;

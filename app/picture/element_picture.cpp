@@ -158,6 +158,18 @@ render::Surface surface_of(const std::vector<PictureTriangle>& triangles, const 
   return surface;
 }
 
+std::vector<Eigen::Vector3f> rest_corners(const std::vector<PictureTriangle>& triangles, const Frame& frame) {
+  std::vector<Eigen::Vector3f> places;
+  places.reserve(3 * triangles.size());
+  for (const PictureTriangle& triangle : triangles) {
+    std::array<Vec3, 4> corners;
+    for (std::size_t i = 0; i < 4; ++i) corners[i] = frame.nodes.rest_positions[frame.elements.tets[triangle.tet][i]];
+    for (const EdgePlace& place : triangle.corners)
+      places.push_back((place.a == place.b ? corners[place.a] : place_of(place, corners)).cast<float>());
+  }
+  return places;
+}
+
 void add_scalars(const std::vector<PictureTriangle>& triangles, const Frame& frame, const QuantityValues& values,
                  render::Surface& surface) {
   for (std::size_t i = 0; i < triangles.size(); ++i) {

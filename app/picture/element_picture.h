@@ -38,6 +38,9 @@ std::vector<PictureTriangle> cap_triangles(const ShownMesh& shown);
 render::Surface surface_of(const std::vector<PictureTriangle>& triangles, const ShownMesh& shown, double shrink,
                            TetId selected);
 
+/// Returns the positions at rest of the corners of these triangles [m].
+std::vector<Eigen::Vector3f> rest_corners(const std::vector<PictureTriangle>& triangles, const Frame& frame);
+
 /// Adds the scalars of these triangles, kPlain for those without one.
 void add_scalars(const std::vector<PictureTriangle>& triangles, const Frame& frame, const QuantityValues& values,
                  render::Surface& surface);

@@ -13,6 +13,7 @@
 #include "app/picture/scene_camera.h"
 #include "app/picture/scene_legend.h"
 #include "app/picture/steady_range.h"
+#include "app/render/exposure.h"
 #include "app/render/picture_text.h"
 #include "renderer/target.h"
 
@@ -27,6 +28,19 @@ Vec3 toward_eye(const Scene& scene, const std::string& camera) {
   for (const Camera& known : scene.cameras)
     if (camera.empty() || known.name == camera) return known.position - known.target;
   return Vec3::UnitZ();
+}
+
+constexpr render::Background kBlack = {{0, 0, 0}, {0, 0, 0}}, kWhite = {{1, 1, 1}, {1, 1, 1}};
+
+void put_under_sky(render::DrawScene& drawn) {
+  drawn.environment.kind = render::Environment::Kind::sky;
+  drawn.background = {{0.42f, 0.56f, 0.75f}, {0.74f, 0.79f, 0.84f}, true};
+}
+
+/// Shows objects before a plain background, without the ground.
+void put_before(const render::Background& background, render::DrawScene& drawn) {
+  if (drawn.ground) drawn.ground->drawn = false;
+  drawn.background = background;
 }
 
 /// Returns the picture without its background, from pictures on black and on white (A. R. Smith and J. F. Blinn 1996,
@@ -90,9 +104,29 @@ struct PictureMaker::Impl {
     return result;
   }
 
+  /// Draws the mean of many exposures. `matte`: instead of ground and background.
+  render::Image poster(const Frame& frame, const Viewpoint& viewpoint, const std::optional<render::Background>& matte) {
+    constexpr int kExposures = 48, kTimes = 12;
+    const double open = 0.5 * scene.simulation.time_step;  // a shutter of half a turn
+    const render::RenderOptions options = picture_options(job.width, job.height, job.samples, viewpoint.view);
+    ImageSum sum;
+    render::DrawScene drawn;
+    double time = 1;  // of `drawn`: none yet
+    for (const Exposure& exposure : exposures(kExposures, kTimes)) {
+      if (exposure.time != time) drawn = draw_scene(LaterFrame(frame, open * exposure.time).frame(), viewpoint);
+      if (matte) put_before(*matte, drawn);
+      time = exposure.time;
+      renderer.render(drawn, exposed(viewpoint.camera, exposure, job.height), options);
+      sum.add(renderer.image());
+    }
+    return sum.mean();
+  }
+
   render::DrawScene draw_scene(const Frame& frame, const Viewpoint& viewpoint) const {
-    return draw_scene_from_frame(frame, display, scene, viewpoint.view, selected_node(job, frame),
-                                 viewpoint.range.range());
+    render::DrawScene drawn = draw_scene_from_frame(frame, display, scene, viewpoint.view, selected_node(job, frame),
+                                                    viewpoint.range.range());
+    if (job.sky) put_under_sky(drawn);
+    return drawn;
   }
 
   Writing writing_of(const Frame& frame, const render::DrawScene& drawn, const Viewpoint& viewpoint) const {
@@ -113,11 +147,15 @@ struct PictureMaker::Impl {
   }
 
   render::Image without_background(render::DrawScene drawn, const Viewpoint& viewpoint, const Writing& writing) {
-    if (drawn.ground) drawn.ground->drawn = false;
-    drawn.background = {{0, 0, 0}, {0, 0, 0}};
+    put_before(kBlack, drawn);
     const render::Image on_black = image(drawn, viewpoint, writing);
-    drawn.background = {{1, 1, 1}, {1, 1, 1}};
+    put_before(kWhite, drawn);
     return matted(on_black, image(drawn, viewpoint, writing));
+  }
+
+  render::Image poster(const Frame& frame, const Viewpoint& viewpoint) {
+    if (!job.transparent) return poster(frame, viewpoint, std::nullopt);
+    return matted(poster(frame, viewpoint, kBlack), poster(frame, viewpoint, kWhite));
   }
 
   /// Returns the last picture with text over it.
@@ -154,10 +192,15 @@ void PictureMaker::follow(const World& world) {
 
 RenderedPicture PictureMaker::paint(const World& world, const std::string& camera, const std::string& view) {
   const Impl::Viewpoint& viewpoint = impl_->viewpoints.at({camera, view});
-  const render::DrawScene drawn = impl_->draw_scene(world.frame(), viewpoint);
-  const Impl::Writing writing = impl_->writing_of(world.frame(), drawn, viewpoint);
   RenderedPicture picture;
   picture.record = world_record(world);
+  if (impl_->job.poster) {
+    picture.image = impl_->poster(world.frame(), viewpoint);
+    picture.ids = impl_->renderer.ids();
+    return picture;
+  }
+  const render::DrawScene drawn = impl_->draw_scene(world.frame(), viewpoint);
+  const Impl::Writing writing = impl_->writing_of(world.frame(), drawn, viewpoint);
   picture.record.text = writing_text(writing.legend, writing.labels);
   picture.image = impl_->job.transparent ? impl_->without_background(drawn, viewpoint, writing)
                                          : impl_->image(drawn, viewpoint, writing);

@@ -16,9 +16,9 @@ namespace griffith::app {
 namespace {
 
 constexpr std::int64_t kMaxFileSize = 16 << 20;
-constexpr std::array<std::string_view, 14> kFields = {"quality",       "name",     "scene",   "frames",     "views",
-                                                      "cameras",       "size",     "samples", "node",       "ui",
-                                                      "open_sections", "commands", "legend",  "transparent"};
+constexpr std::array<std::string_view, 15> kFields = {
+    "environment", "quality", "name", "scene",         "frames",   "views",  "cameras",    "size",
+    "samples",     "node",    "ui",   "open_sections", "commands", "legend", "transparent"};
 
 void read_names(const Place& place, std::vector<std::string>& names) {
   if (!place.json.is_array() || place.json.empty()) return place.reject("a list of names, [\"...\"]");
@@ -64,11 +64,17 @@ void read_size(const Place& place, RenderJob& job) {
   read(place.child("1", place.json[1]), job.height, between(kMin, kMax));
 }
 
-void read_quality(const Place& place, std::optional<PictureQuality>& quality) {
-  const auto names = picture_quality_names();
-  PictureQuality read_one = PictureQuality::standard;
-  read(place, read_one, OneOf{{names.begin(), names.end()}});
-  quality = read_one;
+void read_quality(const Place& place, RenderJob& job) {
+  const std::vector<std::string> names = quality_names();
+  std::string name = names.front();
+  read(place, name, OneOf{{names.begin(), names.end()}});
+  set_quality(job, name);
+}
+
+void read_environment(const Place& place, RenderJob& job) {
+  std::string name = "studio";
+  read(place, name, OneOf{{"studio", "sky"}});
+  job.sky = name == "sky";
 }
 
 void read_field(const Place& place, std::string_view name, RenderJob& job) {
@@ -79,7 +85,8 @@ void read_field(const Place& place, std::string_view name, RenderJob& job) {
   if (name == "cameras") return read_names(place, job.cameras);
   if (name == "size") return read_size(place, job);
   if (name == "samples") return read(place, job.samples.emplace(), between(1, 16));
-  if (name == "quality") return read_quality(place, job.quality);
+  if (name == "environment") return read_environment(place, job);
+  if (name == "quality") return read_quality(place, job);
   if (name == "node") return read(place, job.node.emplace(), between(0, kMaxNode));
   if (name == "ui") return read(place, job.interface, Flag{});
   if (name == "open_sections") return read(place, job.open_sections, Flag{});
@@ -120,6 +127,8 @@ void check_job(const Place& place, const RenderJob& job, std::set<std::string>& 
     place.report("has the name \"" + job.name + "\", which is reserved for the ids of pictures", "leave out .ids");
   if (!job.name.empty() && !names.insert(job.name).second)
     place.report("has the name \"" + job.name + "\" of an earlier job", "give every job a unique name");
+  if (job.interface && job.poster)
+    place.report("has the quality \"poster\" with \"ui\"", "panels are drawn sharp; remove one of them");
   if (job.interface && job.transparent)
     place.report("has \"transparent\" with \"ui\"", "panels have no background; remove one of them");
   if (!job.interface && (job.open_sections || !job.commands.empty()))
@@ -183,7 +192,9 @@ std::string render_jobs_json(const std::vector<RenderJob>& jobs, const std::file
     if (job.cameras != RenderJob{}.cameras) json["cameras"] = job.cameras;
     json["size"] = {job.width, job.height};
     if (job.samples && job.samples != 1) json["samples"] = *job.samples;
-    if (job.quality) json["quality"] = picture_quality_names()[static_cast<std::size_t>(*job.quality)];
+    if (job.quality)
+      json["quality"] = job.poster ? "poster" : picture_quality_names()[static_cast<std::size_t>(*job.quality)];
+    if (job.sky) json["environment"] = "sky";
     if (job.node) json["node"] = *job.node;
     if (job.interface) json["ui"] = true;
     if (job.open_sections) json["open_sections"] = true;

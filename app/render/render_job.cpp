@@ -9,6 +9,7 @@
 #include "app/shared/progress.h"
 #include "sim/core/error.h"
 #include "sim/scene/scene_difference.h"
+#include "sim/scene/view_names.h"
 
 namespace griffith::app {
 namespace {
@@ -29,6 +30,20 @@ void step_to(Painter& painter, int frame, Progress& progress) {
 }
 
 }  // namespace
+
+std::vector<std::string> quality_names() {
+  const auto of_views = picture_quality_names();
+  std::vector<std::string> names(of_views.begin(), of_views.end());
+  names.push_back("poster");
+  return names;
+}
+
+void set_quality(RenderJob& job, std::string_view name) {
+  const auto names = picture_quality_names();
+  const auto found = std::ranges::find(names, name);
+  job.poster = found == names.end();
+  job.quality = job.poster ? PictureQuality::high : static_cast<PictureQuality>(found - names.begin());
+}
 
 std::string picture_name(const RenderJob& job, const std::string& camera, const std::string& view, int frame,
                          bool always_numbered) {

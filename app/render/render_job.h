@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -23,13 +24,21 @@ struct RenderJob {
   int width = 1280, height = 720;         ///< [pixels]
   std::optional<int> samples;             ///< per pixel; absent: by quality
   std::optional<PictureQuality> quality;  ///< absent: from the scene's view
+  bool poster = false;                    ///< with depth of field and motion blur, without legend and labels
   std::optional<int> node;                ///< node whose forces and plane are shown; absent: the most loaded one
   bool interface = false;                 ///< draws the editor's panels too
   bool open_sections = false;             ///< unfolds all sections of the panels
   std::vector<std::string> commands;      ///< commands of the editor before the first picture
+  bool sky = false;                       ///< surroundings: a clear sky in place of the studio
   bool legend = true;
   bool transparent = false;  ///< neither sky nor ground; empty pixels have alpha 0
 };
+
+/// Names of qualities for set_quality(): those of views and "poster".
+std::vector<std::string> quality_names();
+
+/// Sets the quality of the pictures by its name.
+void set_quality(RenderJob& job, std::string_view name);
 
 /// Numbers and texts about a picture and the state of its world.
 struct PictureRecord {

@@ -12,6 +12,6 @@ void main() {
   vec3 light_here = colored_illumination(normal, light_visibility(surface, normal), ambient_openness(surface));
   if (coverage < (viewport.z > 1.0 ? 0.05 : 0.5)) discard;
   gl_FragDepth = depth_of(surface);
-  pixel_color = vec4(srgb_from_linear(linear_from_srgb(color) * light_here), coverage);
+  pixel_color = vec4(reflected(color, light_here), coverage);
   pixel_id = id;
 }

@@ -1,6 +1,4 @@
-const float kHalf = 0.5;
-
-uniform samplerBuffer scalars, colors, materials;
+uniform samplerBuffer scalars, colors;
 uniform int selected_tet;
 #ifdef NATURAL  // materials in plain light only
 const int scalar_kind = 0;
@@ -9,72 +7,14 @@ const bool has_piece_colors = false, draw_edges = false, unlit = false, checker 
 uniform int scalar_kind;
 uniform bool has_piece_colors, draw_edges, unlit, checker;
 #endif
-in vec3 position;
 centroid in vec3 covered;  // a point in the part of the pixel covered by the polygon
 in vec3 smooth_normal;
 in vec2 uv;
-in vec3 rest;
 in vec4 own_weights;
 in float scalar;
 flat in int carrier;
 flat in ivec4 labels;  // tet, part, piece, style
 uniform float opacity;
-
-float material(int index) { return texelFetch(materials, 14 * (labels.w & 0xffff) + index).r; }
-
-#ifdef GRAIN
-// Transforms a slope in rest coordinates to the rotated polygon.
-vec3 carried_slope(vec3 slope) {
-  vec3 x = dFdx(position), y = dFdy(position), normal = flat_normal(position);
-  vec3 across = cross(y, normal);
-  float area = dot(x, across);
-  if (area == 0.0) return vec3(0.0);
-  return (dot(slope, dFdx(rest)) * across + dot(slope, dFdy(rest)) * cross(normal, x)) / area;
-}
-#endif
-
-#ifdef PLAIN_LIGHT
-Matter matter_here(int octaves) { return Matter(vec3(1.0), vec3(0.0)); }
-#else
-#ifdef GRAIN
-// Grain is visible if pixels resolve it in their narrow direction. Along the long direction of faces seen at a grazing
-// angle, several points are averaged (anisotropic filtering: Heckbert 1989).
-Matter with_grain(Matter matter, vec3 fiber, vec4 n) {
-  const float kMost = 6.0;
-  vec3 x = dFdx(rest), y = dFdy(rest);
-  vec3 along = dot(x, x) > dot(y, y) ? x : y;
-  float length_along = max(length(along), 1e-12), across = length(cross(x, y)) / length_along;
-  float places = clamp(ceil(length_along / max(across, 1e-12)), 1.0, kMost);
-  Matter sum = Matter(vec3(0.0), vec3(0.0));
-  for (float i = 0.0; i < places; ++i) {
-    Matter one = matter;
-    vec3 place = rest + ((i + 0.5) / places - 0.5) * along;
-    add_grain(one, int(material(11)), place, material(12), fiber, max(across, length_along / places), n);
-    sum.tint += one.tint;
-    sum.slope += one.slope;
-  }
-  return Matter(sum.tint / places, sum.slope / places);
-}
-#endif
-
-// `octaves` of noise: 2, or 0 if a value is shown.
-Matter matter_here(int octaves) {
-  vec3 fiber = vec3(material(7), material(8), material(9));
-  vec3 place = (rest - fiber * dot(fiber, rest)) / material(6);
-  float width = 0.7 * length(fwidth(place));
-  vec4 n = vec4(0.0);
-  for (int i = 0; i < octaves; ++i) {
-    float scale = i == 0 ? 1.0 : 2.3;
-    n += seen(scale * width) / float(i + 1) * noise(scale * place + 11.0 * float(i));
-  }
-  Matter matter = Matter(vec3(1.0 + material(4) * n.w), 2.0 * material(5) * n.xyz);
-#ifdef GRAIN
-  matter = with_grain(matter, fiber, n);
-  matter.slope = carried_slope(matter.slope);
-#endif
-  return matter;
-}
-#endif
 
 vec3 value_color() { return scalar_color(scalar_kind == 1 ? texelFetch(scalars, carrier).r : scalar); }
 
@@ -115,6 +55,7 @@ vec3 checked(vec3 color) {
 
 #ifdef GLASS
 void main() {
+  matter_index = labels.w & 0xffff;
   if (labels.x == selected_tet || material(10) == 0.0) discard;
   bool inner = ((labels.w >> 20) & 1) != 0;
   vec3 color = material_color(vec3(1.0));
@@ -122,6 +63,7 @@ void main() {
 }
 #else
 void main() {
+  matter_index = labels.w & 0xffff;
   bool inner = ((labels.w >> 20) & 1) != 0;
   bool selected = labels.x == selected_tet;
   bool is_scalar = scalar_kind != 0;
@@ -134,7 +76,7 @@ void main() {
   if (checker && ((labels.w >> 21) & 1) != 0) color = checked(color);
   if (!(unlit && is_scalar)) {
     color = shade(selected ? mix(color, kSelectionColor, 0.45) : color, position, normal_here(), here.slope, is_scalar,
-                  plain ? 0.0 : material(13));
+                  plain ? kDull : polish_here());
   }
   color = mix(color, selected ? kSelectionColor : kEdgeColor, (selected ? 1.0 : 0.6) * edge);
   if (!is_drawn(selected, clear)) discard;

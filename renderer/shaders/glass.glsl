@@ -1,6 +1,7 @@
 // Transparent materials as sums that need no order: optical depth adds up along the line of sight (Beer-Lambert law),
 // and so do small fractions of reflected light. glass_blend.frag makes the picture.
-const float kMatShare = 1.4;  // fraction of light from the rough faces of a crack
+const float kMatShare = 0.7;  // fraction of light from the rough faces of a crack
+const float kInnerShare = 0.8;  // of light that the sides of a body reflect inside
 const float kCaught = 0.6;  // fraction of the lamp's light at the edges of a pane
 
 layout(location = 0) out vec4 depth_sum;  // rgb: optical depth from each face on, negative for left faces; a: reflected fractions
@@ -9,10 +10,6 @@ layout(location = 2) out vec4 face_sum;   // xy: slopes of the faces, across the
                                           // 1 for one that is left, seen or not; w: from each face to what is opaque [m]
 
 uniform sampler2D opaque_distance;
-
-vec3 mirrored_light(vec3 direction) {
-  return sky_light(direction) + 6.0 * pow(max(dot(direction, light.xyz), 0.0), 300.0);
-}
 
 // Distances count from the opaque object behind the faces: transparent parts beyond, next to or within it add up to
 // nothing, whichever of their faces are hidden. A face that touches the object behind it reflects nothing, since the
@@ -25,11 +22,14 @@ void emit_glass(vec3 color, float clear_depth, vec3 covered, vec3 position, vec3
   float beyond = max(texelFetch(opaque_distance, ivec2(gl_FragCoord.xy), 0).r - away, 0.0);
   float visible_here = gl_FrontFacing ? float(beyond > 0.0) : smoothstep(0.0, kTouching * away, beyond);
   vec3 absorption = -log(max(linear_from_srgb(color), 1e-3)) / clear_depth;
-  float share = mirrored_share(normal, ray);
-  vec3 mirrored = mirrored_light(reflect(ray, normal));
+  float share = mirrored_share(vec3(kDielectric), normal, ray, 0.0).x;
+  vec3 direction = reflect(ray, normal), mirrored = environment(direction, 0.0) + lamp_light(direction, 0.0);
+  float cosine = abs(dot(normal, ray)), within = gl_FrontFacing ? 0.0 : 1.0 - smoothstep(0.2, 0.5, cosine);
+  share = max(share, kInnerShare * within);  // sides mirror the inside: light is caught by total reflection
+  mirrored = mix(mirrored, linear_from_srgb(color) * (environment(direction, 0.1) + kCaught * direct_light()), within);
   if (rough) {  // light trapped in the pane leaves it here, in any direction
-    vec3 caught = linear_from_srgb(sqrt(sqrt(color))) * (kSkyLight + kCaught * kLampLight);
-    mirrored = mix(mirrored, caught, 0.8);
+    vec3 caught = linear_from_srgb(sqrt(color)) * (ambient_light(normal) + kCaught * direct_light());
+    mirrored = mix(environment(direction, 0.15) + lamp_light(direction, 0.15), caught, 0.7);
     share = max(share, kMatShare);
   }
   share *= visible_here;

@@ -50,8 +50,8 @@ void main() {
   vec2 size = vec2(textureSize(opaque_picture, 0));
   vec4 face_sum = texelFetch(face_sums, pixel, 0);
   vec2 place = gl_FragCoord.xy / size - bend(pixel, size, face_sum, light_sum.a);
-  vec3 behind = linear_from_srgb(texture(opaque_picture, place).rgb);
+  vec3 behind = light_displayed_as(texture(opaque_picture, place).rgb);
   float mirrored = 1.0 - exp(-depth_sum.a);
   vec3 seen = behind * exp(-optical_depth(pixel, depth_sum.rgb, face_sum.z)) * (1.0 - mirrored);
-  pixel_color = vec4(srgb_from_linear(seen + light_sum.rgb * mirrored / max(depth_sum.a, 1e-5)), 1.0);
+  pixel_color = vec4(displayed(seen + light_sum.rgb * mirrored / max(depth_sum.a, 1e-5)), 1.0);
 }

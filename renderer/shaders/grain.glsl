@@ -1,6 +1,7 @@
 // Fracture surfaces: patterns in a body's own coordinates, so that they move with it and continue from piece to piece.
 // Details smaller than a pixel fade to the mean.
-const int kStones = 1, kClay = 2, kSand = 3, kCrystals = 4, kFacets = 5, kVeins = 6, kRings = 7;  // Grain
+const int kStones = 1, kClay = 2, kSand = 3, kCrystals = 4, kFacets = 5, kVeins = 6, kRings = 7,
+          kBricks = 8, kCast = 9;  // Grain
 
 struct Matter {
   vec3 tint;  // factor on the material's color
@@ -107,19 +108,43 @@ void grow_rings(inout Matter matter, vec3 place, vec3 fiber, float pixel) {
   matter.slope += 1.2 * seen(2.0 * pixel) * (fibers.xyz - fiber * dot(fiber, fibers.xyz));
 }
 
+// Bricks in running bond, courses along y, with mortar between them; `size`: length of a brick with a joint. Joints in the plane
+// of a face are not seen in it. `facing`: normal of the face at rest.
+void lay_bricks(inout Matter matter, vec3 rest, float size, float pixel, vec3 color, vec3 facing) {
+  const vec3 kBrick = vec3(1.0, 0.31, 0.5), kMortar = vec3(0.70, 0.675, 0.63);
+  const float kJoint = 0.024, kBevel = 0.03, kMortarShare = 0.18;
+  vec3 place = rest / (size * kBrick);
+  place.xz += 0.5 * mod(floor(place.y), 2.0);
+  vec3 within = fract(place) - 0.5;
+  vec3 away = (0.5 - abs(within)) * kBrick + 9.0 * step(0.7, abs(facing));
+  float nearest = min(away.x, min(away.y, away.z)), joints_seen = 1.0 - smoothstep(0.14, 0.4, pixel / kBrick.y);
+  vec3 across = sign(within) * step(away, vec3(nearest));
+  vec4 random = lattice_value(ivec3(floor(place)));
+  float brick = smoothstep(kJoint - 0.5 * pixel, kJoint + 0.5 * pixel + 0.008, nearest);
+  vec3 tone = 1.0 + vec3(0.34, 0.38, 0.36) * random.x + vec3(0.0, 0.10, 0.12) * random.y;
+  vec3 joint = kMortar * (1.0 + 0.12 * random.z) / max(color, 0.05);
+  vec3 mean = mix(vec3(1.0), kMortar / max(color, 0.05), kMortarShare);
+  tone = mix(vec3(1.0), tone, seen(pixel / kBrick.y));
+  matter.tint *= mix(mean * tone, mix(joint, tone, brick), joints_seen);
+  matter.slope += joints_seen * 1.2 * across * (1.0 - smoothstep(kJoint, kJoint + kBevel, nearest)) * brick;
+}
+
 // `rest`: the point [m]; `size`: of the grain [m]; `pixel`: width of a pixel [m].
-void add_grain(inout Matter matter, int kind, vec3 rest, float size, vec3 fiber, float pixel, vec4 warp) {
+void add_grain(inout Matter matter, int kind, vec3 rest, float size, vec3 fiber, float pixel, vec4 warp, vec3 color,
+               vec3 facing) {
   vec3 place = kTurn * rest / size;
   pixel /= size;
   if (kind == kStones) lay_stones(matter, place, pixel, warp, 0.47, vec3(0.62, 0.56, 0.48), -0.5);
   if (kind == kClay) lay_stones(matter, place, pixel, warp, 0.34, vec3(0.45, 0.50, 0.55), -0.3);
   if (kind == kSand) lay_stones(matter, place, pixel, warp, 0.45, vec3(0.34, 0.31, 0.26), -0.5);
-  if (kind == kCrystals) grow_crystals(matter, place + 0.5 * warp.xyz, pixel, 1.0, 0.7);
+  if (kind == kCrystals) grow_crystals(matter, place + 0.5 * warp.xyz, pixel, 0.7, 0.6);
   if (kind == kFacets) grow_crystals(matter, place + 0.5 * warp.xyz, pixel, 0.3, 0.9);
   if (kind == kVeins) {
     grow_crystals(matter, 5.0 * place, 5.0 * pixel, 0.12, 0.5);
     draw_veins(matter, 0.35 * place, 0.35 * pixel);
   }
+  if (kind == kBricks) lay_bricks(matter, rest, size, pixel, color, facing);
+  if (kind == kCast) lay_stones(matter, place, pixel, warp, 0.24, vec3(0.10), -0.36);
   if (kind == kRings) grow_rings(matter, rest / size, normalize(fiber + vec3(1e-6, 0.0, 0.0)), pixel);
 }
 #endif

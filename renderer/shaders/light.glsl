@@ -1,10 +1,8 @@
 // Light at a point, for all fragment shaders. Software GL executes both sides of a branch, but loops only as often as
 // some pixel needs: unused effects are loops of zero iterations. With PLAIN_LIGHT, for drafts, there is one lamp with
 // hard shadows, and light has no color.
-const vec3 kSkyLight = vec3(0.43, 0.48, 0.55), kGroundLight = vec3(0.30, 0.28, 0.25), kLampLight = vec3(0.73, 0.70, 0.64);
 const float kNarrowest = 8e-4, kWidest = 0.03;  // penumbras, in widths of the shadow map
 
-uniform vec3 sky_top, sky_bottom;  // colors of the background
 uniform sampler2DShadow shadow_map;
 uniform sampler2DShadow clear_shadow_map;
 uniform sampler2D shadow_depth;  // depths in shadow_map
@@ -31,6 +29,8 @@ vec3 colored_illumination(vec3 normal, float visibility, float openness) { retur
 // Reflects light, both encoded: sRGB is nearly a power, and one power is enough.
 vec3 reflected(vec3 color, vec3 light_here) { return min(color * pow(light_here.x, 1.0 / 2.2), 1.0); }
 #else
+const float kDielectric = 0.04;  // fraction of light that glass, glazes and stone reflect head-on
+
 // Returns one of `count` points that cover the unit disc evenly (Vogel 1979).
 vec2 disc_point(int i, int count) {
   float angle = 2.3999632 * float(i);
@@ -126,26 +126,26 @@ float ambient_openness(vec3 position) {
   return sum / weights;
 }
 
-// Illumination in color: a blue sky, scaled by its openness, and a warm lamp.
+// Illumination in color: the surroundings, scaled by their openness, and the lamp, of whose width objects close by cover a part.
 vec3 colored_illumination(vec3 normal, float visibility, float openness) {
-  vec3 sky = mix(kGroundLight, kSkyLight, 0.5 + 0.5 * normal.y) * openness;
-  return sky + kLampLight * max(dot(normal, light.xyz), 0.0) * visibility;
+  float direct = max(dot(normal, light.xyz), 0.0) * visibility * mix(0.6, 1.0, openness);
+  return ambient_light(normal) * openness + direct_light() * direct;
 }
 
-vec3 sky_light(vec3 direction) {
-  return linear_from_srgb(mix(sky_bottom, sky_top, smoothstep(-0.2, 1.0, direction.y)));
+// Returns the fraction of light reflected by a face of a material that reflects `least` of what meets it head-on (Schlick 1994);
+// rough faces reflect less at grazing angles (Lagarde 2011). `ray`: from the eye.
+vec3 mirrored_share(vec3 least, vec3 normal, vec3 ray, float roughness) {
+  float grazing = pow(1.0 - min(abs(dot(normal, ray)), 1.0), 5.0);
+  return least + (max(vec3(1.0 - roughness), least) - least) * grazing;
 }
 
-// Returns the fraction of light reflected by a smooth face (Schlick 1994). `ray`: from the eye.
-float mirrored_share(vec3 normal, vec3 ray) { return 0.04 + 0.96 * pow(1.0 - min(abs(dot(normal, ray)), 1.0), 5.0); }
-
-// Returns the reflection of the sky, scaled by its openness, and of the lamp in a glaze.
-vec3 glaze_light(vec3 position, vec3 normal, float visibility, float openness) {
+// Returns what a face mirrors of its surroundings, scaled by their openness, and of the lamp.
+vec3 mirrored_light(vec3 least, vec3 position, vec3 normal, float roughness, float visibility, float openness) {
   vec3 ray = -towards_eye(position), direction = reflect(ray, normal);
-  float lamp = 12.0 * pow(max(dot(direction, light.xyz), 0.0), 120.0) * visibility;
-  return mirrored_share(normal, ray) * (openness * sky_light(direction) + lamp);
+  vec3 light_there = openness * environment(direction, roughness) + visibility * lamp_light(direction, roughness);
+  return mirrored_share(least, normal, ray, roughness) * light_there;
 }
 
 // Returns the reflected color.
-vec3 reflected(vec3 color, vec3 light_here) { return srgb_from_linear(linear_from_srgb(color) * light_here); }
+vec3 reflected(vec3 color, vec3 light_here) { return displayed(linear_from_srgb(color) * light_here); }
 #endif

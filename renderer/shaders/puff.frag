@@ -11,6 +11,19 @@ float noise() {
   return fract(52.9829189 * fract(dot(at, vec2(0.06711056, 0.00583715))));
 }
 
+// Returns a smooth random value in 0..1 on the puff, at two scales.
+float billows() {
+  float sum = 0.0, scale = 1.7;
+  for (int i = 0; i < 2; ++i) {
+    vec2 at = scale * place + 31.0 * fract(7.31 * center.xz + center.yy + float(i)), cell = floor(at), t = at - cell;
+    t = t * t * (3.0 - 2.0 * t);
+    vec4 random = fract(43.7585 * fract((cell.x + vec4(0, 1, 0, 1)) * 0.1031 + (cell.y + vec4(0, 0, 1, 1)) * 0.3719) * 97.13);
+    sum += mix(mix(random.x, random.y, t.x), mix(random.z, random.w, t.x), t.y) / float(1 << i);
+    scale *= 2.3;
+  }
+  return sum / 1.5;
+}
+
 // Puffs fade softly at bodies and ground, by the part of the puff in front of the background, whose distance is in the
 // occlusion map. A parallel projection has no distances.
 #ifdef PLAIN_LIGHT
@@ -28,9 +41,15 @@ float share_before_bodies() {
 void main() {
   float density = max(1.0 - dot(place, place), 0.0);
   if (density == 0.0) discard;
-  vec3 light_here = kSkyLight + 0.5 * kLampLight * light_visibility(center, light.xyz);
+#ifdef PLAIN_LIGHT
+  vec3 light_here = vec3(0.48 + 0.35 * light_visibility(center, light.xyz));
+#else
+  vec3 light_here = ambient_light(vec3(0, 1, 0)) + 0.5 * direct_light() * light_visibility(center, light.xyz);
+#endif
   const float kSteps = 32.0;
-  float alpha = floor(kSteps * share_before_bodies() * color.a * density * density + noise()) / kSteps;
-  pixel_color = vec4(srgb_from_linear(linear_from_srgb(mix(color.rgb, vec3(1.0), 0.45)) * light_here), alpha);
+  light_here *= 0.9 + 0.25 * place.y;  // lit from above
+  float thickness = color.a * density * smoothstep(0.0, 1.1, density + billows() - 0.45);
+  float alpha = floor(kSteps * share_before_bodies() * thickness + noise()) / kSteps;
+  pixel_color = vec4(reflected(mix(color.rgb, vec3(1.0), 0.45), light_here), alpha);
   pixel_id = -1;
 }

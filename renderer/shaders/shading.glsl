@@ -41,16 +41,34 @@ vec3 flat_normal(vec3 position) {
   return dot(normal, towards_eye(position)) < 0.0 ? -normal : normal;
 }
 
+// Polish of a face: glaze, varnish or metal.
+struct Polish {
+  float gloss;      // 0: none, 1: smooth
+  float roughness;  // 0..1
+  float metal;      // 1: light is reflected in the color of the material
+};
+const Polish kDull = Polish(0.0, 1.0, 0.0);
+
 // Shades a color: a plain one with the full range of light, a scalar's with the upper part alone so that values stay
-// comparable. `gloss`: of a glaze over it, 0..1.
-vec3 shade(vec3 color, vec3 position, vec3 normal, vec3 bump, bool is_scalar, float gloss) {
+// comparable.
+vec3 shade(vec3 color, vec3 position, vec3 normal, vec3 bump, bool is_scalar, Polish polish) {
   float visibility = light_visibility(position, flat_normal(position)), openness = ambient_openness(position);
   vec3 bumped = normalize(normal + bump);
-  vec3 factor = is_scalar ? vec3(mix(0.62, 1.0, min(illumination(bumped, visibility), 1.0)))
-                          : colored_illumination(bumped, visibility, openness);
+  if (is_scalar) {
+    float factor = mix(0.62, 1.0, min(illumination(bumped, visibility), 1.0));
+#ifdef PLAIN_LIGHT
+    return reflected(color, vec3(factor));
+#else
+    return srgb_from_linear(linear_from_srgb(color) * factor);
+#endif
+  }
+  vec3 factor = colored_illumination(bumped, visibility, openness);
 #ifdef PLAIN_LIGHT
   return reflected(color, factor);
 #else
-  return srgb_from_linear(linear_from_srgb(color) * factor + gloss * glaze_light(position, bumped, visibility, openness));
+  vec3 matter = linear_from_srgb(color);
+  vec3 least = mix(vec3(kDielectric), matter, polish.metal);
+  vec3 mirrored = polish.gloss * mirrored_light(least, position, bumped, polish.roughness, visibility, openness);
+  return displayed(matter * factor * (1.0 - 0.85 * polish.metal) + mirrored);
 #endif
 }

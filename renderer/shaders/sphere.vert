@@ -2,11 +2,15 @@ layout(location = 0) in vec3 sphere_center;
 layout(location = 1) in float sphere_radius;
 layout(location = 2) in vec3 sphere_color;
 layout(location = 3) in int sphere_id;
+layout(location = 4) in vec3 sphere_finish;
+layout(location = 5) in vec4 sphere_rotation;
 out vec3 position;
 flat out vec3 center;
 flat out float radius;
 flat out vec3 color;
 flat out int id;
+flat out vec3 finish;
+flat out vec4 rotation;
 
 // A square through the center, facing the eye, that covers the sphere's outline (the tangents from the eye).
 void main() {
@@ -22,5 +26,7 @@ void main() {
   radius = sphere_radius;
   color = sphere_color;
   id = sphere_id;
+  finish = sphere_finish;
+  rotation = sphere_rotation;
   gl_Position = view_projection * vec4(position, 1.0);
 }

@@ -13,11 +13,11 @@ uniform bool draw_edges, unlit;
 uniform bool has_colors, has_ids, has_flags;
 uniform vec3 plain_color;
 uniform float opacity, clear_depth;
-in vec3 position;
 centroid in vec3 covered;  // a point in the part of the pixel covered by the triangle
 in vec3 barycentric;
 in float scalar;
 flat in int triangle;
+flat in int matter;  // index of the material; negative: none
 
 vec3 triangle_color(int triangle_flags, bool is_scalar) {
   if (is_scalar && scalars_per_triangle == 3) return scalar_color(scalar);
@@ -42,10 +42,20 @@ void main() {
   bool is_scalar = scalars_per_triangle != 0 && (triangle_flags & kPlain) == 0;
   vec3 color = triangle_color(triangle_flags, is_scalar);
   vec3 marked = vec3(triangle_flags & 1, (triangle_flags >> 1) & 1, (triangle_flags >> 2) & 1);
+  Matter here = Matter(vec3(1.0), vec3(0.0));
+  Polish polish = kDull;
+#ifdef GRAIN
+  matter_index = max(matter, 0);
+  if (matter >= 0) {
+    here = matter_here(2);
+    polish = polish_here();
+  }
+  color *= here.tint;
+#endif
   float edge = draw_edges ? edge_coverage(barycentric, marked) : 0.0;
   if (!(unlit && is_scalar)) {
-    color = shade(selected ? mix(color, kSelectionColor, 0.45) : color, position, flat_normal(position), vec3(0.0),
-                  is_scalar, 0.0);
+    color = shade(selected ? mix(color, kSelectionColor, 0.45) : color, position, flat_normal(position), here.slope,
+                  is_scalar, polish);
   }
   color = mix(color, selected ? kSelectionColor : kEdgeColor, (selected ? 1.0 : 0.6) * edge);
   if (!is_drawn(selected, clear)) discard;

@@ -35,8 +35,10 @@ void describe(Archive& archive, ViewSettings& view) {
   for (const ViewLayerInfo& layer : view_layers()) layers.names.push_back(layer.key);
   const auto maps = color_map_names(), styles = element_style_names(), qualities = picture_quality_names();
   archive.field("quantity", view.quantity, quantities, "Quantity shown by colors");
-  archive.field("color_map", view.color_map, OneOf{{maps.begin(), maps.end()}},
-                "Colors from low to high; automatic: coolwarm about 0 for signed quantities, else viridis");
+  archive.field(
+      "color_map", view.color_map, OneOf{{maps.begin(), maps.end()}},
+      "Colors from low to high; automatic: coolwarm about 0 for signed quantities, heat for utilization, else "
+      "viridis");
   archive.field("range", view.range, range,
                 "Values at the two ends of the colors, in the quantity's unit; null: automatic");
   archive.field("symmetric", view.symmetric, Flag{}, "The automatic range extends equally below and above 0");

@@ -44,7 +44,7 @@ std::span<const std::string_view> picture_quality_names() {
 }
 
 std::span<const std::string_view> color_map_names() {
-  static constexpr std::array<std::string_view, 4> kNames = {"automatic", "viridis", "coolwarm", "cividis"};
+  static constexpr std::array<std::string_view, 5> kNames = {"automatic", "viridis", "coolwarm", "cividis", "heat"};
   return kNames;
 }
 

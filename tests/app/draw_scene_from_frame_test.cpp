@@ -189,9 +189,10 @@ TEST(DrawSceneFromFrame, ColorsOfWhatHasASignPartAtZeroUnlessOthersAreChosen) {
     EXPECT_NE(style_of(view).minimum, -style_of(view).maximum) << quantity;
   }
   for (const char* quantity : {"von_mises", "utilization", "speed"}) {
+    const bool has_limit = std::string_view(quantity) == "utilization";
     ViewSettings view;
     view.quantity = quantity;
-    EXPECT_EQ(style_of(view).color_map, render::ColorMap::viridis) << quantity;
+    EXPECT_EQ(style_of(view).color_map, has_limit ? render::ColorMap::heat : render::ColorMap::viridis) << quantity;
     EXPECT_EQ(style_of(view).minimum, 0) << quantity;
   }
 }

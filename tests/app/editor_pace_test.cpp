@@ -40,6 +40,16 @@ class PaceTest : public EditorTest {
     editor_.state().speed = 20;
     editor_.run().advance(1e-3);
   }
+  /// Waits until the step in the background has ended, without taking it, a minute at most.
+  void await_step() const {
+    ui::EditorInput input;
+    for (int i = 0; i < 60'000; ++i) {
+      editor_.run().describe(input);
+      if (input.step_in_progress == 0) return;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    FAIL() << "the step does not end";
+  }
   /// Lets short frames pass until that step is there.
   void run_to(std::int64_t step) {
     begin_step();
@@ -94,7 +104,7 @@ TEST_F(PaceTest, GoingBackMeanwhileIsNotUndoneByTheStepThatEnds) {
   run_to(8);
   begin_step();
   editor_.execute({.name = "time.step", .step = 2});
-  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  await_step();
   draw(3);
   EXPECT_EQ(step(), 2);
   editor_.run().step();
@@ -247,7 +257,7 @@ TEST_F(PaceTest, GoingBackOrToAnotherSceneMeanwhileShowsThat) {
   run_to(6);
   begin_step();
   editor_.execute({.name = "time.step", .step = 2});
-  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  await_step();
   expect_picture_of_what_is_shown();
   run_to(4);
   expect_picture_of_what_is_shown();

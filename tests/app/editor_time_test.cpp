@@ -119,10 +119,17 @@ TEST_F(TimeTest, StopsBeforeACrackWithTheNodeStillWhole) {
   const std::int64_t stopped_at = step();
   const NodeId node = editor_.state().selection.node;
   ASSERT_TRUE(node.valid()) << "the node that is about to crack is explained";
+  EXPECT_GT(std::stod(value("value/Utilization then")), 1);
+  EXPECT_EQ(value("inspector/utilization_bar"), value("value/Utilization then"));
+  EXPECT_THAT(value("inspector/verdict"), ::testing::Not(HasSubstr("Holds")));
+  const ui::ComingCrack coming = editor_.state().stop->cracks.front();
   editor_.run().step();
   EXPECT_EQ(step(), stopped_at + 1) << "the next step passes the breakpoint";
   ASSERT_GT(cracks(), 0u);
-  EXPECT_EQ(editor_.run().frame().crack_events[0].node, node);
+  const CrackEvent& crack = editor_.run().frame().crack_events[0];
+  EXPECT_EQ(crack.node, node);
+  EXPECT_EQ(coming.normal, crack.normal);
+  EXPECT_NEAR(coming.eigenvalues[0], crack.eigenvalue, 1e-6 * crack.eigenvalue) << "the tensor that was shown";
 }
 
 TEST_F(TimeTest, WhatWouldHaveHeldItHoldsIt) {
@@ -165,10 +172,49 @@ TEST_F(TimeTest, SaysFromWhatStrengthSpeedAndThicknessOnANodeStands) {
   EXPECT_THAT(value("report/fact2"), HasSubstr("Thickness: "));
   EXPECT_EQ(editor_.run().timeline().world().state_hash(), hash) << "trying changes nothing";
   click("report/close");
+  EXPECT_NE(editor_.disabled_reason("time.apply_strength"), "") << "the report is closed";
   click("time/holding");
   click("work/cancel");
   wait_for_work();
   EXPECT_THAT(value("report/warning0"), HasSubstr("Cancelled"));
+}
+
+TEST_F(TimeTest, TheStrengthThatHoldsIsAppliedAsABranchOnWhichTheNodeHolds) {
+  editor_.state().breakpoints.crack = Breakpoints::Where::anywhere;
+  fire();
+  run_until_stopped();
+  const std::int64_t stopped_at = step();
+  const Vec3 place = editor_.state().selection.rest_position;
+  const double strength = editor_.document().scene().bodies[0].material.tensile_strength;
+  click("time/holding");
+  wait_for_work();
+  click("report/time.apply_strength");
+  draw(2);
+  EXPECT_FALSE(editor_.state().report);
+  EXPECT_FALSE(editor_.state().stop) << "it was the reason to stop before the edit";
+  EXPECT_EQ(step(), stopped_at);
+  EXPECT_GT(editor_.document().scene().bodies[0].material.tensile_strength, strength);
+  editor_.state().breakpoints = {};
+  run(1);
+  EXPECT_EQ(editor_.run().timeline().branches().size(), 2u);
+  for (const CrackEvent& event : editor_.run().frame().crack_events) EXPECT_NE(event.rest_position, place);
+  editor_.execute({.name = "edit.undo"});
+  EXPECT_EQ(editor_.document().scene().bodies[0].material.tensile_strength, strength);
+}
+
+TEST_F(TimeTest, TheSpeedThatHoldsIsAppliedToTheShotFromTheStart) {
+  editor_.state().breakpoints.crack = Breakpoints::Where::anywhere;
+  fire();
+  run_until_stopped();
+  click("time/holding");
+  wait_for_work();
+  ASSERT_TRUE(ui::find_tag(editor_.tags(), "report/time.apply_speed")) << value("report/fact1");
+  click("report/time.apply_speed");
+  draw(2);
+  wait_for_work();
+  EXPECT_EQ(step(), 0);
+  ASSERT_FALSE(editor_.document().scene().projectiles.empty());
+  EXPECT_LT(editor_.document().scene().projectiles.back().speed, 60);
 }
 
 TEST_F(TimeTest, StopsBeforeThePiecesAndTheUtilizationAreThere) {

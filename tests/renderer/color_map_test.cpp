@@ -30,6 +30,15 @@ TEST(ColorMap, LuminanceOfSequentialMapsGrows) {
   }
 }
 
+TEST(ColorMap, HeatGoesFromLightGrayToDarkRed) {
+  const Rgb low = color_map_color(ColorMap::heat, 0), high = color_map_color(ColorMap::heat, 1);
+  EXPECT_NEAR(low.r, low.b, 0.03f);
+  EXPECT_GT(low.r, 0.8f);
+  EXPECT_GT(high.r, 3 * high.b);
+  for (int entry = 8; entry < kColorTableSize; ++entry)
+    EXPECT_LT(luminance(ColorMap::heat, entry), luminance(ColorMap::heat, entry - 8)) << entry;
+}
+
 TEST(ColorMap, CoolwarmIsDarkBlueAndDarkRedAroundALightGray) {
   const Rgb low = color_map_color(ColorMap::coolwarm, 0), middle = color_map_color(ColorMap::coolwarm, 0.5f),
             high = color_map_color(ColorMap::coolwarm, 1);

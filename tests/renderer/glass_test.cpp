@@ -35,19 +35,17 @@ DrawScene sheet(const Camera& camera, const Rgb& color, float thickness) {
   add(filling_square(camera, 0.5f), kFront, true, false);
   add(filling_square(camera, 0.5f - thickness), kBack, true, true);
   scene.surface.clear_depth = 0.1f;
-  scene.background = {{0, 0, 0}, {0, 0, 0}};  // nothing to mirror
+  scene.environment.strength = 0;  // nothing to mirror
   return scene;
 }
 
-double linear(int byte) {
-  const double value = byte / 255.0;
-  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-}
+/// Light of a channel of a color in the sRGB encoding, above its linear part.
+double encoded_light(double value) { return std::pow((value + 0.055) / 1.055, 2.4); }
 
 /// Light that comes through the middle, by channel.
 std::array<double, 3> middle(const Image& image) {
   const auto pixel = image.pixel(image.width / 2, image.height / 2);
-  return {linear(pixel[0]), linear(pixel[1]), linear(pixel[2])};
+  return {light_shown_as(pixel[0]), light_shown_as(pixel[1]), light_shown_as(pixel[2])};
 }
 
 TEST_F(GlassTest, AbsorptionGrowsWithThicknessAsBeerAndLambertSay) {
@@ -60,8 +58,7 @@ TEST_F(GlassTest, AbsorptionGrowsWithThicknessAsBeerAndLambertSay) {
     const auto seen = through(thickness);
     const double channels[] = {color.r, color.g, color.b};
     for (std::size_t i = 0; i < 3; ++i) {
-      const double expected =
-          std::pow(linear(static_cast<int>(std::lround(255 * channels[i]))), (thickness - 1e-3) / 0.1);
+      const double expected = std::pow(encoded_light(channels[i]), (thickness - 1e-3) / 0.1);
       EXPECT_NEAR(seen[i] / thin[i], expected, 0.02) << thickness << ", channel " << i;
     }
   }
@@ -134,7 +131,8 @@ bool all_around(const IdImage& ids, int x, int y, std::int32_t id, bool is) {
 TEST_F(GlassTest, HasNoHolesOnTheGround) {
   const auto slab = [](float bottom) {
     DrawScene scene;
-    scene.ground = Ground{0};
+    scene.environment.strength = 0;
+    scene.ground = Ground{0, {0.86f, 0.87f, 0.88f}};
     const std::array<Vector3f, 8> c = {Vector3f(-1, bottom, -1), {-1, bottom, 1}, {1, bottom, 1}, {1, bottom, -1},
                                        Vector3f(-1, 0.05f, -1),  {-1, 0.05f, 1},  {1, 0.05f, 1},  {1, 0.05f, -1}};
     for (const auto& face :
@@ -269,7 +267,8 @@ TEST_F(GlassTest, ItsShadowIsLight) {
     how.shadows = false;
     const Image lit = picture(scene, how);
     double taken = 0;
-    for (std::size_t i = 0; i < lit.rgba.size(); ++i) taken += linear(lit.rgba[i]) - linear(shaded.rgba[i]);
+    for (std::size_t i = 0; i < lit.rgba.size(); ++i)
+      taken += light_shown_as(lit.rgba[i]) - light_shown_as(shaded.rgba[i]);
     return taken;
   };
   const double opaque = taken_light(0), clear = taken_light(kClear);

@@ -9,8 +9,8 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr Grain kGrains[] = {Grain::stones, Grain::clay,  Grain::sand, Grain::crystals,
-                             Grain::facets, Grain::veins, Grain::rings};
+constexpr Grain kGrains[] = {Grain::stones, Grain::clay,  Grain::sand,   Grain::crystals, Grain::facets,
+                             Grain::veins,  Grain::rings, Grain::bricks, Grain::cast};
 
 const Camera kNear = {{-0.5f, 1.6f, 2.2f}, {0, 0.8f, 0}, 40};
 
@@ -70,6 +70,28 @@ TEST_F(GrainTest, IsSeenFromStandardQualityOn) {
     EXPECT_EQ(drawn(plain, Quality::draft).rgba, drawn(surface, Quality::draft).rgba) << int(grain);
     for (const Quality quality : {Quality::standard, Quality::high})
       EXPECT_GT(off_fraction(drawn(plain, quality), drawn(surface, quality)), 0.05) << int(grain);
+  }
+}
+
+/// A triangle of the same material and place at rest.
+TEST_F(GrainTest, TrianglesShowItAsPolygonsDo) {
+  for (const Grain grain : kGrains) {
+    const EmbeddedSurface polygon = broken_triangle(grain);
+    DrawScene scene = before_black({});
+    scene.embedded.materials = polygon.materials;
+    for (const EmbeddedCorner& corner : polygon.mesh->corners) scene.surface.positions.push_back(corner.rest);
+    scene.surface.rests = scene.surface.positions;
+    scene.surface.colors = {polygon.materials[0].color};
+    scene.surface.matters = {0};
+    RenderOptions how = options();
+    how.edges = false;
+    how.quality = Quality::standard;
+    const Image expected = drawn(polygon);
+    renderer_->render(scene, kNear, how);
+    EXPECT_LT(off_fraction(renderer_->image(), expected), 0.001) << int(grain);
+    scene.surface.matters = {-1};
+    renderer_->render(scene, kNear, how);
+    EXPECT_GT(off_fraction(renderer_->image(), expected), 0.05) << int(grain);
   }
 }
 
@@ -154,7 +176,7 @@ TEST_F(GrainTest, KeepsTheMeanBrightness) {
   const auto brightness = [](const Image& image) {
     double sum = 0;
     for (int y = 0; y < image.height; ++y)
-      for (int x = 0; x < image.width; ++x) sum += image.pixel(x, y)[1];
+      for (int x = 0; x < image.width; ++x) sum += light_shown_as(image.pixel(x, y)[1]);
     return sum;
   };
   const double plain = brightness(drawn(broken_triangle(Grain::none)));

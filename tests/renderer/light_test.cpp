@@ -117,6 +117,64 @@ TEST_F(LightTest, AShadowInADraftIsAsLargeInAPictureOfAnySize) {
   EXPECT_NEAR(shaded_share(1) / shaded_share(4), 1, 0.03);
 }
 
+/// A polished and a dull ball.
+DrawScene two_balls() {
+  DrawScene scene;
+  scene.spheres = {{{-0.7f, 1.2f, 0}, 0.6f, {0.7f, 0.7f, 0.7f}, 1}, {{0.7f, 1.2f, 0}, 0.6f, {0.7f, 0.7f, 0.7f}, 2}};
+  scene.spheres[0].metal = 1;
+  scene.spheres[0].roughness = 0;
+  scene.spheres[1].roughness = 1;
+  return scene;
+}
+
+TEST_F(LightTest, SurroundingsLightAndAreMirroredButNotInADraft) {
+  DrawScene scene = two_balls();
+  for (const Quality quality : kAll) {
+    const Image bright = picture(scene, options_of(quality));
+    DrawScene dark = scene, outdoors = scene;
+    dark.environment.strength = 0;
+    outdoors.environment.kind = Environment::Kind::sky;
+    const bool is_full = quality != Quality::draft;
+    EXPECT_EQ(off_fraction(picture(dark, options_of(quality)), bright) > 0.05, is_full);
+    EXPECT_EQ(off_fraction(picture(outdoors, options_of(quality)), bright) > 0.05, is_full);
+  }
+}
+
+/// So that pictures before other backgrounds can be cut out.
+TEST_F(LightTest, TheBackgroundIsNotMirrored) {
+  DrawScene scene = two_balls();
+  scene.background = {{0, 0, 0}, {0, 0, 0}};
+  const Image on_black = picture(scene, options_of(Quality::standard));
+  const IdImage ids = renderer_->ids();
+  scene.background = {{1, 1, 1}, {1, 1, 1}};
+  const Image on_white = picture(scene, options_of(Quality::standard));
+  int compared = 0;
+  for (int y = 1; y + 1 < kHeight; ++y)
+    for (int x = 1; x + 1 < kWidth; ++x) {
+      const auto id_at = [&](int i, int j) { return ids.ids[static_cast<std::size_t>(j * kWidth + i)]; };
+      const bool inside = id_at(x, y) != kNoId && id_at(x - 1, y) != kNoId && id_at(x + 1, y) != kNoId &&
+                          id_at(x, y - 1) != kNoId && id_at(x, y + 1) != kNoId;
+      compared += inside;
+      if (inside) {
+        EXPECT_EQ(on_black.pixel(x, y), on_white.pixel(x, y)) << x << ", " << y;
+      }
+    }
+  EXPECT_GT(compared, 2000);
+}
+
+TEST_F(LightTest, TheSkyIsSeenBehindEverything) {
+  DrawScene scene = two_balls();
+  scene.environment.kind = Environment::Kind::sky;
+  scene.background.is_sky = true;
+  const Camera level = {{0, 1, 6}, {0, 1, 0}, 40};
+  renderer_->render(scene, level, options_of(Quality::standard));
+  const Image image = renderer_->image();
+  const auto top = image.pixel(3, 3), horizon = image.pixel(3, kHeight / 2 - 12);
+  EXPECT_GT(top[2], top[0] + 30) << "blue above";
+  EXPECT_GT(brightness(image, 3, kHeight / 2 - 12), brightness(image, 3, 3)) << "brighter at the horizon";
+  EXPECT_LT(horizon[2] - horizon[0], top[2] - top[0]);
+}
+
 TEST_F(LightTest, UnlitScalarsAreTheSameBytesInEveryQuality) {
   DrawScene scene = scalar_wall_scene();
   scene.ground.reset();

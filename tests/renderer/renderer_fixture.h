@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <memory>
 #include <vector>
@@ -58,6 +59,14 @@ inline double off_fraction(const Image& a, const Image& b) {
       off += differs;
     }
   return off / (static_cast<double>(a.width) * a.height);
+}
+
+/// Light that the film shows as a byte: the inverse of displayed() in shaders/common.glsl.
+inline double light_shown_as(int byte) {
+  const double value = byte / 255.0;
+  const double y = value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+  const double a = 2.51 - 2.43 * y, b = 0.03 - 0.59 * y;
+  return (std::sqrt(b * b + 0.56 * y * a) - b) / (2 * a);
 }
 
 /// Triangles of a square across the line of sight that fills the picture, `nearer` meters before the camera's target.

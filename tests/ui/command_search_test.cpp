@@ -31,6 +31,23 @@ TEST(CommandSearch, EveryCommandOfAMenuIsFoundFirstByItsTitle) {
   }
 }
 
+TEST(CommandSearch, NumbersAfterTheLettersAreTheArgument) {
+  EXPECT_EQ(best("go step 12"), "time.step");
+  EXPECT_EQ(best("array 4 0.5 0 -1"), "edit.array");
+  EXPECT_EQ(best("fire 0.2 0.7"), "simulation.fire");
+  EXPECT_EQ(best("fire 2 7"), "nothing") << "outside the view";
+  EXPECT_EQ(best("undo 3"), "nothing") << "takes no number";
+  const CommandQuery query = parse_command_query("array 4 0.5 0 -1 ");
+  EXPECT_EQ(query.letters, "array");
+  const std::optional<Command> command =
+      with_numbers(*find_command(app::command_registry(), "edit.array"), query.numbers);
+  ASSERT_TRUE(command);
+  EXPECT_EQ(command->name, "edit.make_array");
+  EXPECT_EQ(command->step, 4);
+  EXPECT_EQ(command->offset, Vec3(0.5, 0, -1));
+  EXPECT_EQ(parse_command_query("12").letters, "12") << "numbers alone are no argument";
+}
+
 TEST(CommandSearch, ABeginningOrAMenuOrAWordOfTheHelpSuffices) {
   EXPECT_EQ(best("und"), "edit.undo");
   EXPECT_EQ(best("add sph"), "add.sphere");

@@ -20,6 +20,7 @@ Dialog shown_dialog(const EditorState& state) {
   if (state.show_open) return Dialog::open;
   if (state.show_preferences) return Dialog::preferences;
   if (state.asked_steps) return Dialog::steps;
+  if (state.array) return Dialog::array;
   if (state.palette.shown) return Dialog::palette;
   return state.show_help ? Dialog::help : Dialog::none;
 }

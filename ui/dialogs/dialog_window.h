@@ -24,6 +24,7 @@ enum class Dialog {
   open,
   preferences,
   steps,
+  array,
   palette,
   help
 };

@@ -187,6 +187,8 @@ void draw_dialogs(Panel& panel) {
       return draw_preferences_dialog(panel);
     case Dialog::steps:
       return draw_steps_dialog(panel);
+    case Dialog::array:
+      return draw_array_dialog(panel);
     case Dialog::palette:
       return draw_palette_dialog(panel);
     case Dialog::help:

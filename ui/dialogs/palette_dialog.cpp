@@ -28,8 +28,8 @@ struct PaletteItem {
   std::string disabled_reason;  ///< reason why it cannot run now; empty if it can
 };
 
-PaletteItem item_of(const CommandInfo& info, const Panel& panel) {
-  return {{.name = info.name},
+PaletteItem item_of(const CommandInfo& info, const Panel& panel, const std::vector<double>& numbers) {
+  return {with_numbers(info, numbers).value_or(Command{.name = info.name}),
           std::string(info.name),
           std::string(info.label),
           menu_label(info.menu),
@@ -41,7 +41,9 @@ PaletteItem item_of(const CommandInfo& info, const Panel& panel) {
 /// Returns the commands that match, best first, then the macros that match.
 std::vector<PaletteItem> matching_items(const Panel& panel, std::string_view query) {
   std::vector<PaletteItem> items;
-  for (const CommandInfo* info : matching_commands(panel.input.commands, query)) items.push_back(item_of(*info, panel));
+  const std::vector<double> numbers = parse_command_query(query).numbers;
+  for (const CommandInfo* info : matching_commands(panel.input.commands, query))
+    items.push_back(item_of(*info, panel, numbers));
   for (const std::filesystem::path& macro : panel.input.macros) {
     const std::string title = macro.stem().string();
     if (match_score("Macro " + title, query))

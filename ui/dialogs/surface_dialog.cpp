@@ -36,6 +36,19 @@ void text_lines(Panel& panel, const char* tag, const std::vector<std::string>& l
   }
 }
 
+/// Draws the buttons of what the report offers to do.
+void action_buttons(Panel& panel, const std::vector<WorkReport::Action>& actions) {
+  for (const WorkReport::Action& action : actions) {
+    ImGui::Spacing();
+    if (text_button(panel, ("report/" + std::string(action.command)).c_str(), action.label.c_str(),
+                    ImGui::GetContentRegionAvail().x)) {
+      issue(panel, {.name = action.command});
+      ImGui::CloseCurrentPopup();  // the command takes the report away
+    }
+    tooltip(command_info(action.command, panel).hint);
+  }
+}
+
 }  // namespace
 
 void draw_surface_dialog(Panel& panel) {
@@ -81,6 +94,7 @@ void draw_report_dialog(Panel& panel) {
     text_lines(panel, "report/fact", report->facts, palette::kText);
     text_lines(panel, "report/warning", report->warnings, palette::kAccent);
   }
+  if (report) action_buttons(panel, report->actions);
   ImGui::Spacing();
   if (text_button(panel, "report/close", "Close", 120 * ui_scale(panel)) || escape_pressed()) report.reset();
   if (!report) ImGui::CloseCurrentPopup();

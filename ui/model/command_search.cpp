@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -28,7 +30,48 @@ std::optional<int> command_score(const CommandInfo& info, std::string_view query
   return help_score(info.hint, query);
 }
 
+/// Parses a number that fills the word; empty for other words.
+std::optional<double> number_in(std::string_view word) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return error == std::errc() && end == word.data() + word.size() ? std::optional(value) : std::nullopt;
+}
+
+bool is_count(double value, double least, double most) {
+  return value == std::round(value) && value >= least && value <= most;
+}
+
 }  // namespace
+
+CommandQuery parse_command_query(std::string_view text) {
+  CommandQuery query{std::string(text), {}};
+  for (;;) {
+    while (query.letters.ends_with(' ')) query.letters.pop_back();
+    const std::size_t start = query.letters.find_last_of(' ') + 1;  // 0 without a blank
+    const std::optional<double> number = number_in(std::string_view(query.letters).substr(start));
+    if (!number || start == 0) break;
+    query.numbers.insert(query.numbers.begin(), *number);
+    query.letters.resize(start);
+  }
+  return query;
+}
+
+std::optional<Command> with_numbers(const CommandInfo& info, const std::vector<double>& numbers) {
+  Command command{.name = info.with_path.empty() ? info.name : info.with_path};
+  const std::size_t count = numbers.size();
+  if (info.argument == CommandArgument::step && count == 1 && is_count(numbers[0], 0, kMaxAskedSteps)) {
+    command.step = static_cast<std::int64_t>(numbers[0]);
+  } else if (info.argument == CommandArgument::cursor && count == 2) {
+    command.cursor = Vec2(numbers[0], numbers[1]);
+    if (command.cursor.minCoeff() < 0 || command.cursor.maxCoeff() > 1) return std::nullopt;
+  } else if (info.argument == CommandArgument::array && count == 4 && is_count(numbers[0], 2, kMaxArray)) {
+    command.step = static_cast<std::int64_t>(numbers[0]);
+    command.offset = Vec3(numbers[1], numbers[2], numbers[3]);
+  } else {
+    return std::nullopt;
+  }
+  return command;
+}
 
 std::optional<int> match_score(std::string_view text, std::string_view query) {
   int score = 0;
@@ -47,10 +90,12 @@ std::optional<int> match_score(std::string_view text, std::string_view query) {
   return score;
 }
 
-std::vector<const CommandInfo*> matching_commands(std::span<const CommandInfo> commands, std::string_view query) {
+std::vector<const CommandInfo*> matching_commands(std::span<const CommandInfo> commands, std::string_view text) {
+  const auto [query, numbers] = parse_command_query(text);
   std::vector<std::pair<int, const CommandInfo*>> scored;
   for (const CommandInfo& info : commands) {
-    if (info.menu == Menu::none) continue;
+    if (info.menu == Menu::none && !with_numbers(info, numbers)) continue;
+    if (!numbers.empty() && !with_numbers(info, numbers)) continue;
     if (const std::optional<int> score = command_score(info, query)) scored.emplace_back(*score, &info);
   }
   std::ranges::stable_sort(scored, [](const auto& a, const auto& b) { return a.first > b.first; });

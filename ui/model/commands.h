@@ -18,6 +18,7 @@ struct Command {
   std::filesystem::path path = {};
   std::int64_t step = 0;         ///< time.step, time.branch: target step; simulation.make_steps: number of steps
   int branch = 0;                ///< time.branch
+  Vec3 offset = Vec3::Zero();    ///< edit.make_array: from each copy to the next [m]; their number is `step`
   Vec2 cursor = Vec2(0.5, 0.5);  ///< simulation.fire, view.pick: point of the view, from its top left corner, 0..1
   bool discard_edits = false;    ///< commands that leave the scene: discards unsaved edits
   bool replace = false;          ///< commands that write: replaces a file of another program
@@ -25,12 +26,14 @@ struct Command {
 
 /// Largest number of steps for simulation.make_steps.
 inline constexpr int kMaxAskedSteps = 1'000'000;
+/// Largest number of equal bodies for edit.make_array.
+inline constexpr int kMaxArray = 1000;
 
 /// Menu that lists a command; `none` for commands of widgets and scripts alone.
 enum class Menu { none, file, edit, add, simulation, view, help };
 
 /// Argument that a script gives after a command's name.
-enum class CommandArgument { none, path, step, branch_and_step, cursor };
+enum class CommandArgument { none, path, step, branch_and_step, cursor, array };
 
 struct CommandContext;
 
@@ -47,7 +50,7 @@ struct CommandInfo {
   /// True if the toggled state is on. Null: not a toggle.
   bool (*is_on)(const CommandContext& context) = nullptr;
   CommandArgument argument = CommandArgument::none;
-  /// Name of the command that reads or writes the file for which the dialog of this one asks.
+  /// Name of the command that takes the file, or the number and offset, for which the dialog of this one asks.
   std::string_view with_path = {};
   /// Action that discards unsaved edits: "Quitting"; empty if the command keeps them.
   std::string_view leaves = {};

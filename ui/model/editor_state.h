@@ -59,6 +59,12 @@ struct SurfaceRequest {
   MeshingMethod method = MeshingMethod::automatic;
 };
 
+/// Input of the dialog that repeats bodies.
+struct ArrayRequest {
+  int count = 2;                ///< number of each body, 2..kMaxArray
+  Vec3 offset = Vec3::UnitX();  ///< from each one to the next [m]
+};
+
 /// Kind of file that a dialog saves.
 enum class SavedKind { scene, recording, bug_report, plots, exported, macro };
 
@@ -90,8 +96,14 @@ struct FieldNote {
 
 /// Message about work that succeeded.
 struct WorkReport {
+  /// A button that issues a command.
+  struct Action {
+    std::string_view command;
+    std::string label;
+  };
   std::string title;
   std::vector<std::string> facts, warnings;
+  std::vector<Action> actions = {};
 };
 
 enum class LogLevel { info, warning, error };
@@ -136,13 +148,15 @@ struct Caption {
 struct EditorState {
   bool running = false;
   Breakpoints breakpoints;
-  std::optional<Stop> stop;        ///< reason why the simulation stopped by itself in the shown state
-  double speed = 1;                ///< simulated seconds per second, 0.001..1
-  std::int64_t steps_left = 0;     ///< steps until the simulation stops; 0: runs on
-  std::optional<int> asked_steps;  ///< number in the dialog that asks for steps
-  ViewSettings view;               ///< current view; starts with the scene's
-  ProjectileBurst shot;            ///< settings of the projectile tool; position and direction come from the cursor
-  std::optional<Vec2> aimed_at;    ///< while a shot is aimed: point of the view, from its top left corner, 0..1
+  std::optional<Stop> stop;           ///< reason why the simulation stopped by itself in the shown state
+  double speed = 1;                   ///< simulated seconds per second, 0.001..1
+  bool explain_first_crack = false;   ///< selects the node of the next crack, so that the inspector explains it
+  std::int64_t steps_left = 0;        ///< steps until the simulation stops; 0: runs on
+  std::optional<int> asked_steps;     ///< number in the dialog that asks for steps
+  std::optional<ArrayRequest> array;  ///< input of the dialog that repeats bodies while it is open
+  ViewSettings view;                  ///< current view; starts with the scene's
+  ProjectileBurst shot;               ///< settings of the projectile tool; position and direction come from the cursor
+  std::optional<Vec2> aimed_at;       ///< while a shot is aimed: point of the view, from its top left corner, 0..1
   std::optional<ProjectileBurst> last_shot;  ///< last shot with its time, until it is added to the scene
   int selected_body = 0;                     ///< index into Scene::bodies
   std::vector<SceneEntry> entries;  ///< entries selected in the outliner, in that order; empty: the selected body

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/core/ids.h"
+#include "sim/core/linear_algebra.h"
 
 namespace griffith::ui {
 
@@ -12,6 +13,10 @@ struct ComingCrack {
   NodeId node;                      ///< node, in the numbering before the step
   double time = 0;                  ///< [s]
   double load = 0, resistance = 0;  ///< [Pa] or [N], by the criterion
+  Vec3 normal = Vec3::UnitX();      ///< unit normal of its plane
+  Vec3 eigenvalues = Vec3::Zero();  ///< eigenvalues of the separation tensor under which it opens, largest first [N]
+
+  double utilization() const { return load / resistance; }
 };
 
 /// Reason why the simulation stopped by itself before a step; valid in that state alone.

@@ -72,6 +72,20 @@ void load_rows(const Panel& panel, const NodeReport& report, const Material& mat
   tensor_rows(panel, report);
 }
 
+/// Shows load, resistance, tensor and plane of the crack of the next step.
+void coming_crack_rows(Panel& panel, const ComingCrack& coming, const Material& material) {
+  hint(panel, "When it cracks, in the next step:");
+  draw_utilization_bar(panel, coming.utilization());
+  const char* unit = load_unit(material);
+  value_row(panel, "Load at the crack", format_quantity(coming.load, unit), palette::kText);
+  value_row(panel, "Resistance then", format_quantity(coming.resistance, unit), palette::kText);
+  value_row(panel, "Utilization then", format_quantity(coming.utilization(), "", 3), palette::kError);
+  value_row(panel, "Crack plane normal", direction_text(coming.normal), palette::kText);
+  value_row(panel, "Eigenvalues then", triple(coming.eigenvalues, "N"), palette::kText);
+  tooltip("Eigenvalues of the separation tensor under which the crack opens, largest first.");
+  hint(panel, "Now, before that step:");
+}
+
 /// Draws one ranked element; a click selects it.
 void element_row(Panel& panel, const ElementContribution& element, const char* unit, std::size_t rank) {
   char text[96];
@@ -155,7 +169,9 @@ void draw_inspector_panel(Panel& panel) {
   const BodyView& body = frame.bodies[report.body];
   verdict_line(panel, verdict_on(report, frame, panel.history.scene().simulation.fracture, panel.state.stop));
   const Material& material = frame.materials[body.scene_body];
-  if (report.strained) draw_utilization_bar(panel, report.separation.utilization);
+  const std::optional<ComingCrack> coming = node_state(report, frame, panel.state.stop).coming;
+  if (coming) coming_crack_rows(panel, *coming, material);
+  if (report.strained && !coming) draw_utilization_bar(panel, report.separation.utilization);
   draw_utilization_plot(panel, panel.input.utilizations);
   value_row(panel, "Node", std::to_string(report.node.index()), palette::kText);
   if (report.strained) utilization_rows(panel, report, material);

@@ -5,6 +5,7 @@
 
 #include "sim/fracture/fracture_law.h"
 #include "sim/world/output/scaled_breaks.h"
+#include "ui/model/entry_choice.h"
 #include "ui/model/verdict.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/field_range.h"
@@ -75,6 +76,17 @@ std::string source_text(const Material& material) {
   return "";
 }
 
+/// Sets the material of all selected bodies, the shown one included.
+void assign(Panel& panel, const Material& material) {
+  std::vector<SceneEntry> entries = selected_entries(panel.state, panel.history.scene());
+  entries.push_back({EntryKind::body, panel.state.selected_body});
+  panel.history.change("Set material " + material.name, [&](Scene& scene) {
+    for (const SceneEntry& entry : entries)
+      if (entry.kind == EntryKind::body) scene.bodies[static_cast<std::size_t>(entry.index)].material = material;
+  });
+  panel.history.finish();
+}
+
 /// Draws the list of presets and the scene's own materials.
 void preset_row(Panel& panel, Material& material) {
   const Scene& scene = panel.history.scene();
@@ -86,9 +98,11 @@ void preset_row(Panel& panel, Material& material) {
   for (const Material& one : offered) names.push_back(one.name);
   const int chosen = combo_row(panel, "material/preset", "Preset", names, preset_text(scene, material));
   field_tooltip(panel, "material/preset", source_text(material));
+  const std::size_t selected = selected_bodies(panel.state, scene).size();
+  if (selected > 1) hint(panel, "A preset goes to all " + std::to_string(selected) + " selected bodies.");
   if (chosen < 0) return;
   material = offered[static_cast<std::size_t>(chosen)];
-  keep(panel, {true, true}, "Set material " + material.name, material);
+  assign(panel, material);
 }
 
 /// Saves the body's material as one of the scene's own under that name, replacing an earlier one.

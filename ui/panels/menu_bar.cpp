@@ -1,3 +1,4 @@
+#include <optional>
 #include <utility>
 
 #include "ui/model/scene_names.h"
@@ -39,10 +40,10 @@ void macro_menu(Panel& panel) {
 
 /// Draws the commands of the menu in order, with separators between groups.
 void command_items(Panel& panel, Menu menu) {
-  int group = 0;
+  std::optional<int> group;
   for (const CommandInfo& info : panel.input.commands) {
     if (info.menu != menu) continue;
-    if (std::exchange(group, info.group) != info.group) ImGui::Separator();
+    if (const auto before = std::exchange(group, info.group); before && before != info.group) ImGui::Separator();
     command_menu_item(panel, info, "menu/");
     if (info.name == "file.open") recent_menu(panel);
     if (info.name == "edit.record_macro") macro_menu(panel);

@@ -22,6 +22,16 @@ bool paint_region(Panel& panel);
 /// Draws the nodes of a painted region over the picture, and the brush.
 void draw_painted_region(Panel& panel);
 
+/// Draws a dark rounded card behind text over the picture.
+void draw_card(ImDrawList* list, ImVec2 low, ImVec2 high, float scale);
+
+/// Draws cards with the limits of the shown result below the upper left corner of the view: scaled impacts, overlaps,
+/// missed convergence. Their tooltips say what to do.
+void draw_view_warnings(Panel& panel, ImVec2 corner);
+
+/// Draws the plane across which the selected node cracks in the next step, if the simulation stopped before that.
+void draw_coming_crack(const Panel& panel);
+
 /// Lets the mouse move and rotate the selected entries if the gizmo is shown and the simulation is at its start. An
 /// arrow or plane moves all of them, a ring rotates the active one. Call it after the item that the picture fills. True
 /// if the gizmo takes the mouse.

@@ -51,11 +51,6 @@ void mouse_input(Panel& panel) {
   if (clicked) issue(panel, {.name = "view.pick", .cursor = cursor});
 }
 
-/// Draws a dark rounded card behind text.
-void draw_card(ImDrawList* list, ImVec2 low, ImVec2 high, float scale) {
-  list->AddRectFilled(low, high, IM_COL32(24, 27, 32, 200), 6 * scale);
-}
-
 void draw_hints(const Panel& panel, ImVec2 corner, ImVec2 end) {
   const Fonts& fonts = panel.input.fonts;
   const float scale = ui_scale(panel), size = fonts.small->FontSize, margin = 14 * scale;
@@ -105,6 +100,10 @@ void draw_stop_card(Panel& panel, ImVec2 corner, ImVec2 end) {
 
 }  // namespace
 
+void draw_card(ImDrawList* list, ImVec2 low, ImVec2 high, float scale) {
+  list->AddRectFilled(low, high, IM_COL32(24, 27, 32, 200), 6 * scale);
+}
+
 void draw_viewport(Panel& panel) {
   EditorState& state = panel.state;
   state.viewport_minimum = ImGui::GetCursorScreenPos();
@@ -123,6 +122,7 @@ void draw_viewport(Panel& panel) {
   draw_labels(list, panel.input.labels, panel.input.fonts, state.viewport_minimum, end, ui_scale(panel));
   draw_region(panel);
   draw_painted_region(panel);
+  draw_coming_crack(panel);
   draw_gizmo(panel);
   draw_aim(panel);
   if (panel.input.legend && legend_fits({state.viewport_minimum, end}, ui_scale(panel))) {
@@ -130,6 +130,7 @@ void draw_viewport(Panel& panel) {
   }
   draw_hints(panel, state.viewport_minimum, end);
   draw_pause_mark(panel, state.viewport_minimum);
+  draw_view_warnings(panel, state.viewport_minimum);
   draw_stop_card(panel, state.viewport_minimum, end);
 }
 

@@ -13,8 +13,10 @@ struct WorldState;
 /// order of their first tets.
 std::vector<std::vector<TetId>> bonded_pieces(const WorldState& world, const Body& body);
 
-/// Parts deformable bodies that bonds alone hold together: bonds act in explicit dynamics, and rigid bodies keep
-/// theirs.
+/// Breaks all bonds of a body.
+void drop_bonds(WorldState& world, const Body& body);
+
+/// Parts bodies whose bonds were dropped, and deformable ones: bonds act in explicit dynamics and in rigid bodies alone.
 void part_at_bonds(WorldState& world);
 
 }  // namespace griffith
