@@ -1,6 +1,6 @@
 #include "app/editor/body_presets.h"
 
-#include "app/editor/new_body.h"
+#include "app/editor/new_entry.h"
 #include "app/editor/placed_surface.h"
 #include "ui/model/region_outline.h"
 #include "ui/model/scene_entry.h"
