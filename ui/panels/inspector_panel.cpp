@@ -76,7 +76,7 @@ void load_rows(const Panel& panel, const NodeReport& report, const Material& mat
 void coming_crack_rows(Panel& panel, const ComingCrack& coming, const Material& material) {
   hint(panel, "When it cracks, in the next step:");
   draw_utilization_bar(panel, coming.utilization());
-  const char* unit = load_unit(material);
+  const std::string_view unit = fracture_law(material).unit;
   value_row(panel, "Load at the crack", format_quantity(coming.load, unit), palette::kText);
   value_row(panel, "Resistance then", format_quantity(coming.resistance, unit), palette::kText);
   value_row(panel, "Utilization then", format_quantity(coming.utilization(), "", 3), palette::kError);
