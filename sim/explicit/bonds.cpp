@@ -21,7 +21,7 @@ void MicrostepContacts::list_bonds(const ExplicitBodies& bodies) {
   lists_bonds_ = true;
 }
 
-/// Lets bonds act on the last motion. Those between two nodes began when these came apart and have opened alike: they
+/// Lets bonds resist the last motion. Those between two nodes began when these came apart and have opened alike: they
 /// act as one.
 void MicrostepContacts::hold_cracks(ExplicitBodies& bodies, double dt) {
   if (!lists_bonds_) list_bonds(bodies);
@@ -34,7 +34,7 @@ void MicrostepContacts::hold_cracks(ExplicitBodies& bodies, double dt) {
     for (auto other = first + 1; other != last; ++other) whole.force += bond_at(*other).force;
     hold(bodies, first->first, first->second, whole, dt);
     for (; first != last; ++first) {
-      bond_at(*first).opening = whole.opening, bond_at(*first).now = whole.now;
+      bond_at(*first).opening = whole.opening;
       if (!whole.holds()) bond_at(*first) = {};
     }
   }
@@ -45,13 +45,13 @@ void MicrostepContacts::hold_cracks(ExplicitBodies& bodies, double dt) {
 /// its law; what the microstep's impulse takes more or less is a loss like that of contacts.
 void MicrostepContacts::hold(ExplicitBodies& bodies, int first, int second, Bond& bond, double dt) {
   const Vec3 between = bodies.position(second) - bodies.position(first);
-  const double apart = between.norm();
-  if (apart == 0) return;
-  const Vec3 direction = between / apart;
+  const double opening = between.norm();
+  if (opening <= bond.opening) return;
+  const Vec3 direction = between / opening;
   const double mobility = bodies.mobility(first, direction) + bodies.mobility(second, direction);
   if (mobility == 0) return;
   const double energy = bond.energy_left();
-  const Vec3 impulse = dt * pull(bond, apart, dt * dt * mobility) * direction;
+  const Vec3 impulse = dt * pull(bond, opening, dt * dt * mobility) * direction;
   const double taken = energy - (bond.holds() ? bond.energy_left() : 0);
   const auto opening_speed = [&] { return Vec3(bodies.velocity(second) - bodies.velocity(first)); };
   const Vec3 before = opening_speed();

@@ -1,31 +1,29 @@
 #include "sim/fracture/cohesion.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace griffith {
 
 double Bond::energy_left() const {
-  const double elastic = opening > 0 ? opening - now * now / opening : 0;
-  return 0.5 * held() * (critical - opening + elastic);
+  const double left = 1 - opening / critical;
+  return 0.5 * force * critical * left * left;
 }
 
-double pull(Bond& bond, double apart, double compliance) {
-  const double held = bond.held(), excess = apart - bond.opening;
-  if (excess <= compliance * held) {
-    if (bond.opening == 0) return apart / compliance;
-    const double stiffness = held / bond.opening;
-    bond.now = apart / (1 + compliance * stiffness);
-    return stiffness * bond.now;
-  }
-  const double opened = apart - compliance * held;
+double pull(Bond& bond, double opening, double compliance) {
+  const double excess = opening - bond.opening;
+  if (excess <= 0) return 0;
+  const double stopping = excess / compliance, force = bond.force * (1 - bond.opening / bond.critical);
+  if (stopping <= force) return stopping;
+  const double opened = bond.opening + excess - compliance * force;
   if (opened < bond.critical) {
-    bond.opening = bond.now = opened;
-    return held;
+    bond.opening = opened;
+    return force;
   }
   // Half of F (excess − compliance F) is the energy left: the other half of the force's work was done before.
   const double twice_energy = 2 * bond.energy_left(), square = excess * excess - 4 * compliance * twice_energy;
   bond = {};
-  return square <= 0 ? 0.5 * excess / compliance : 2 * twice_energy / (excess + std::sqrt(square));
+  return square <= 0 ? 0.5 * stopping : 2 * twice_energy / (excess + std::sqrt(square));
 }
 
 }  // namespace griffith

@@ -8,27 +8,23 @@ namespace griffith {
 
 /// Cohesion of the part of an opened face that belongs to one of its corners. Its force falls linearly with the largest
 /// opening so far, from that at which the face opened to 0 (extrinsic law, Camacho & Ortiz 1996; continuous in time,
-/// Papoulia, Sam & Vavasis 2003), in any mode. Below the largest opening it is elastic: its force falls in proportion
-/// to the opening. Once broken, it has taken its share of the area times G_c.
+/// Papoulia, Sam & Vavasis 2003). It acts against further opening alone, in any mode, and never pushes back: what it
+/// has taken, the area of the crack times G_c in the end, is spent.
 struct Bond {
   double force = 0;     ///< at no opening [N]; 0: the corner is not open, or the bond is broken
   double critical = 0;  ///< opening at which it breaks, δ_c = 2 G_c / t₀ [m]
   double opening = 0;   ///< largest so far [m]
-  double now = 0;       ///< present opening, 0 ≤ δ ≤ `opening` [m]
 
   bool holds() const { return force > 0; }
-  /// Returns the force at its largest opening [N].
-  double held() const { return force * (1 - opening / critical); }
-  /// Returns the energy that it can still take before it breaks [J].
+  /// Returns the energy that it can still take, ½ F δ_c (1 − δ/δ_c)² [J].
   double energy_left() const;
 };
 
-/// Returns the force of a bond on ends that have moved to the distance `apart` [m] from each other [N]. Each newton
-/// takes back `compliance` of that [m/N], > 0. Updates the bond, which breaks in the motion that uses up its energy.
-/// Softening is explicit: by a leapfrog scheme the force works over half of the motion before and half of that after
-/// it; the sum over all motions is the bond's energy to second order. Elastic motions, which can be stiff, are
-/// implicit.
-double pull(Bond& bond, double apart, double compliance);
+/// Returns the force of a bond at its opening now, which acts on a motion of its ends apart to `opening` [m] [N]. Each
+/// newton takes back `compliance` of that [m/N], > 0; no more is taken back than stops it. Updates the bond, which
+/// breaks in the motion that uses up its energy. By a leapfrog scheme the force works over half of the motion before
+/// and half of that after it; the sum over all motions is the bond's energy to second order.
+double pull(Bond& bond, double opening, double compliance);
 
 /// Opened face that still holds.
 struct CohesiveFace {

@@ -1,6 +1,5 @@
 #include "sim/mesh/mesh_layers.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -87,19 +86,6 @@ int layers_across(const TetMesh& mesh) {
   for (std::size_t layers = 0; layers < volumes.size(); ++layers)
     if ((thin += volumes[layers]) > kThinnest * volume) return static_cast<int>(layers);
   return 0;
-}
-
-double slenderness(const TetMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Vec3& point : mesh.rest_positions) box.extend(point);
-  double volume = 0, surface = 0;
-  for (const TetId tet : IdRange<TetId>(0, mesh.tet_count())) volume += rest_volume(mesh, tet);
-  for (const SurfaceFace& face : surface_faces(mesh)) {
-    const auto [a, b, c] = face_nodes(mesh, face.tet, face.face);
-    const auto& places = mesh.rest_positions;
-    surface += 0.5 * (places[b] - places[a]).cross(places[c] - places[a]).norm();
-  }
-  return volume > 0 ? box.sizes().maxCoeff() * surface / (2 * volume) : 0;
 }
 
 }  // namespace griffith

@@ -10,8 +10,4 @@ namespace griffith {
 /// paths inward from it or its neighbors lead to. Where it is thinnest: a tenth of the volume has no more.
 int layers_across(const TetMesh& mesh);
 
-/// Returns the longest edge of the box around a mesh over its mean thickness, twice its volume over its surface [-]: 3
-/// of cubes and balls, L/t of wide plates, 2 L/t of long square beams; 0 for no tets.
-double slenderness(const TetMesh& mesh);
-
 }  // namespace griffith

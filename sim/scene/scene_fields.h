@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "sim/fracture/fracture_law.h"
 #include "sim/mesh/mesh_limits.h"
 #include "sim/scene/field.h"
 #include "sim/scene/quantities.h"
@@ -57,7 +56,7 @@ void describe_properties(Archive& archive, Material& m) {
                 "Fracture toughness K_Ic: limits the resistance at crack fronts");
   archive.field("separation_toughness", m.separation_toughness, between(1e-6, 1e15, "N"),
                 "Separation toughness τ: only used by the criterion \"separation_force\"");
-  archive.field("criterion", m.criterion, OneOf{criterion_keys()},
+  archive.field("criterion", m.criterion, OneOf{{"strength", "separation_force"}},
                 "Load compared with the resistance: a stress (independent of the mesh) or the raw eigenvalue");
   archive.field("element_model", m.element_model, OneOf{{"corotational", "green_strain"}},
                 "Strain measure of elements: linear and rotating with the element, or Green's strain");
@@ -215,7 +214,7 @@ void describe(Archive& archive, BodyDescription& body) {
   archive.field(
       "elements", body.elements, OneOf{{"auto", "linear", "quadratic"}},
       "Order of displacements in tetrahedra: linear ones are cheap, quadratic ones bend correctly where few lie across "
-      "the body; auto: quadratic if it is slender and fewer than four lie across its thinnest part");
+      "the body; auto: quadratic where fewer than four lie across its thinnest part");
   archive.field("remeshing", body.remeshing, Flag{},
                 "Cracks cut tetrahedra along their plane; false: they follow faces");
   archive.field("minimum_element_size", body.minimum_element_size, between(0, 1e6, "m"),

@@ -120,8 +120,7 @@ void ExplicitRun::restore_bonds() {
       acting.force *= f, acting.critical /= f;
       const Vec3 between = explicit_bodies_.position(explicit_bodies_.corner(second, known.face.second_corners[i])) -
                            explicit_bodies_.position(explicit_bodies_.corner(first, known.face.first_corners[i]));
-      acting.now = between.norm();
-      acting.opening = std::max(acting.opening / f, acting.now);
+      acting.opening = std::max(acting.opening / f, between.norm());
       if (acting.opening < acting.critical) bond(known.face, i, acting);
     }
   }
@@ -136,7 +135,7 @@ void ExplicitRun::store_bonds() {
     const TetId first = tets_[crack.first_slot], second = tets_[crack.second_slot];
     CohesiveFace face{{first, second, crack.first_corners, crack.second_corners}, crack.bonds};
     const double f = body_of(world_.mesh->tets[first][0]).explicit_state->similarity;
-    for (Bond& bond : face.bonds) bond.force /= f, bond.critical *= f, bond.opening *= f, bond.now *= f;
+    for (Bond& bond : face.bonds) bond.force /= f, bond.critical *= f, bond.opening *= f;
     world_.cohesive_faces.push_back(face);
   }
 }

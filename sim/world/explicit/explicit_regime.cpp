@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/bodies/bonded_pieces.h"
 #include "sim/world/conditions/quick_changes.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/explicit/explicit_obstacles.h"
@@ -167,38 +166,21 @@ bool run_explicit(WorldState& world, std::vector<explicit_dynamics::Obstacle> ob
   return true;
 }
 
-namespace {
-
-/// Ends explicit dynamics of bodies that no impact or crack has reached for long enough. Returns them.
-std::vector<BodyId> end_explicit_of_quiet(WorldState& world) {
+void end_explicit_if_quiet(WorldState& world) {
   constexpr double kRounding = 1e-9;
-  std::vector<BodyId> ended;
+  const std::vector<bool> strained = strained_bodies(world, world.time);
   for (Body& body : world.bodies) {
     if (!body.explicit_state) continue;
     const double window = explicit_window(world, body);
     if (world.time - body.explicit_state->last_event < (1 - kRounding) * window) continue;
     end_explicit(world, body);
-    ended.push_back(body.id);
+    if (body.supported()) continue;
+    if (body.bonded) {
+      stop_vibration(world, body);  // its bonds hold, but do not act in implicit steps
+    } else if (!strained[body.id]) {
+      make_rigid_if_unharmed(world, body);
+    }
   }
-  return ended;
-}
-
-}  // namespace
-
-void end_explicit_if_quiet(WorldState& world) {
-  const std::vector<bool> strained = strained_bodies(world, world.time);
-  const auto settle = [&](Body& body, BodyId origin) {
-    if (!body.supported() && !strained[origin]) make_rigid_if_unharmed(world, body);
-  };
-  const std::vector<BodyId> ended = end_explicit_of_quiet(world);
-  for (const BodyId id : ended) settle(world.bodies[id], id);
-  const auto are_bonded = [&](BodyId id) { return world.bodies[id].bonded && !world.bodies[id].rigid; };
-  if (std::ranges::none_of(ended, are_bonded)) return;
-  const std::size_t first_piece = world.bodies.size();
-  part_at_bonds(world);
-  for (const BodyId id : ended)
-    if (!world.bodies[id].rigid) settle(world.bodies[id], id);
-  for (std::size_t i = first_piece; i < world.bodies.size(); ++i) settle(world.bodies[i], world.bodies[i].parent);
 }
 
 }  // namespace griffith

@@ -39,17 +39,16 @@ void check_elements(const Scene& scene, int scene_body, ElementOrder order, cons
 }
 
 ElementChoice choose_elements(const Scene& scene, int scene_body, const TetMesh& mesh) {
-  constexpr int kEnough = 4;      // layers of linear elements that bend
-  constexpr double kSlender = 8;  // less slender bodies hardly bend: a brick has 6
+  constexpr int kEnough = 4;  // layers of linear elements that bend
   const BodyDescription& body = scene.bodies[scene_body];
   if (body.elements != ElementOrder::automatic) return {body.elements, false, 0, {}};
   ElementChoice choice{ElementOrder::linear, true, layers_across(mesh), {}};
   const auto obstacle = obstacle_to_quadratic(body, body.material);
-  const bool has_few_layers = choice.layers < kEnough, bends = has_few_layers && slenderness(mesh) > kSlender;
-  choice.order = bends && !obstacle ? ElementOrder::quadratic : ElementOrder::linear;
+  const bool is_thin = choice.layers < kEnough;
+  choice.order = is_thin && !obstacle ? ElementOrder::quadratic : ElementOrder::linear;
   choice.reason = std::to_string(choice.layers) + (choice.layers == 1 ? " lies" : " lie") + " across its thinnest part";
-  if (has_few_layers && !bends) choice.reason += ", but it is not slender";
-  if (bends && obstacle) choice.reason += std::string(", but quadratic ones cannot be combined with ") + obstacle->name;
+  if (is_thin && obstacle)
+    choice.reason += std::string(", but quadratic ones cannot be combined with ") + obstacle->name;
   return choice;
 }
 

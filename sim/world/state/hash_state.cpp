@@ -90,7 +90,7 @@ std::uint64_t hash_of_cracks(const WorldState& world) {
   hash.add_whole(world.crack_events.size());
   for (const CohesiveFace& face : world.cohesive_faces) {
     hash.add_whole(face.face.first, face.face.second);
-    for (const Bond& bond : face.bonds) hash.add_real(bond.force, bond.critical, bond.opening, bond.now);
+    for (const Bond& bond : face.bonds) hash.add_real(bond.force, bond.critical, bond.opening);
   }
   for (const PostponedCrack& crack : world.postponed)
     hash.add_whole(crack.node).add_real(crack.separation.eigenvalue, crack.separation.utilization);
