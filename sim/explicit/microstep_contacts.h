@@ -69,7 +69,13 @@ class MicrostepContacts {
     cracks_[crack].sides.bonds[corner] = bond;
     lists_bonds_ = false;
   }
-
+  /// Drops the bonds of all cracks for which `is_dropped` is true.
+  template <class IsDropped>
+  void drop_bonds(const IsDropped& is_dropped) {
+    for (WatchedCrack& crack : cracks_)
+      if (is_dropped(crack.sides)) crack.sides.bonds = {};
+    lists_bonds_ = false;
+  }
   std::span<Obstacle> obstacles() { return obstacles_; }
   int crack_count() const { return static_cast<int>(cracks_.size()); }
   const CrackSides& crack(int index) const { return cracks_[index].sides; }

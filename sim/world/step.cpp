@@ -6,7 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "sim/world/bodies/bonded_pieces.h"
 #include "sim/world/conditions/projectiles.h"
 #include "sim/world/contact/contact_phase.h"
 #include "sim/world/energy/energy_phase.h"
@@ -50,7 +49,6 @@ void fracture(WorldState& world, double substep) {
 /// Computes contacts and motion of all objects except the bodies in explicit dynamics.
 void move(WorldState& world, double dt) {
   StepTimings& ms = world.report.milliseconds;
-  part_at_bonds(world);
   update_supports(world, world.time, dt);
   timed(ms.contact, [&] { find_contacts(world, dt); });
   record_substep_start(world, world.scratch);

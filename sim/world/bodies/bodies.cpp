@@ -9,7 +9,6 @@
 #include "sim/fracture/fracture_law.h"
 #include "sim/fracture/resistance.h"
 #include "sim/mesh/topology.h"
-#include "sim/world/bodies/bonded_pieces.h"
 #include "sim/world/bodies/collision_shape.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/motion/elastic_phase.h"
@@ -225,7 +224,6 @@ double rebuild_shape(WorldState& world, Body& body) {
   body.reference_offsets = gather(world.edges.offsets, body.edges);
   body.orientation.setIdentity();
   body.element_size = mean_element_size(world.elements.rest_elements, body.tets);
-  body.bonded = connected_components(world.mesh, body.tets).size() > 1;
   body.depth = depth_of(world, body);
   body.extent = extent_of(world, body);
   body.weakest_fraction = weakest_fraction_of(world, body);
@@ -307,7 +305,7 @@ void assign_pieces(WorldState& world, BodyId id, std::vector<std::vector<TetId>>
 std::vector<BodyId> part_bodies(WorldState& world, std::span<const BodyId> opened) {
   std::vector<BodyId> pieces(opened.begin(), opened.end());
   const std::size_t first_new = world.bodies.size();
-  for (BodyId id : opened) assign_pieces(world, id, bonded_pieces(world, world.bodies[id]));
+  for (BodyId id : opened) assign_pieces(world, id, connected_components(world.mesh, world.bodies[id].tets));
   for (std::size_t i = first_new; i < world.bodies.size(); ++i) pieces.push_back(world.bodies[i].id);
   return pieces;
 }

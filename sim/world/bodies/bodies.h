@@ -17,8 +17,8 @@ inline const Body& body_at(const WorldState& world, NodeId node) {
 
 /// Takes the stress out of a body that is rigid from now on.
 void clear_stress(const Body& body, ElementArrays& elements, NodeArrays& nodes);
-/// Divides the tets of bodies that may have separated among one body per piece that faces or bonds connect. Returns all
-/// pieces: first the bodies themselves, then the new ones.
+/// Divides the tets of bodies that may have separated among one body per connected piece, then calls rebuild_pieces().
+/// Returns all pieces: first the bodies themselves, then the new ones.
 std::vector<BodyId> part_bodies(WorldState& world, std::span<const BodyId> opened);
 /// Rebuilds all data that follow from the tets of pieces; new ones, which are the last bodies, get their proxies.
 void rebuild_pieces(WorldState& world, std::span<const BodyId> pieces);

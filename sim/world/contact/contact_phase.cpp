@@ -9,7 +9,6 @@
 #include "sim/solver/contact_response.h"
 #include "sim/solver/rigid_motion.h"
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/bodies/bonded_pieces.h"
 #include "sim/world/contact/elastic_contacts.h"
 #include "sim/world/contact/face_contacts.h"
 #include "sim/world/contact/quasi_static.h"
@@ -90,18 +89,14 @@ bool must_deform(const WorldState& world, const Body& body, const Contact& conta
 /// True if a body is immovable or rigid under its contacts and could deform.
 bool may_deform(const Body& body) { return body.rigid ? !body.supported() : body.asleep; }
 
-/// Makes rigid and sleeping bodies deformable that must deform under the impulses found. Bonds break instead: parts
-/// that they hold together deform from the next substep on. Returns true if there were any.
+/// Makes rigid and sleeping bodies deformable that must deform under the impulses found. Returns true if there were
+/// any.
 bool make_struck_bodies_elastic(WorldState& world, double dt) {
   bool any = false;
   for (const Contact& contact : world.contact_world.contacts())
     for (ProxyId side : {contact.a, contact.b}) {
       const BodyId id = world.body_of(side);
       if (!id.valid() || !may_deform(world.bodies[id]) || !must_deform(world, world.bodies[id], contact, dt)) continue;
-      if (world.bodies[id].bonded) {
-        drop_bonds(world, world.bodies[id]);
-        continue;
-      }
       const bool slept = world.bodies[id].asleep;
       if (world.bodies[id].rigid) place_rigid_nodes(world.bodies[id], world.nodes, world.edges);
       make_elastic(world, world.bodies[id]);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "sim/fracture/cohesion.h"
 #include "sim/fracture/fracture_law.h"
@@ -138,6 +139,24 @@ void ExplicitRun::store_bonds() {
     for (Bond& bond : face.bonds) bond.force /= f, bond.critical *= f, bond.opening *= f;
     world_.cohesive_faces.push_back(face);
   }
+}
+
+/// Drops the bonds between pieces that the cracks since that event have separated entirely: pieces move on their own,
+/// whether microsteps still follow them together or not.
+void ExplicitRun::drop_parted_bonds(std::size_t first_event) {
+  std::set<BodyId> opened;
+  for (std::size_t i = first_event; i < world_.crack_events.size(); ++i) opened.insert(world_.crack_events[i].body);
+  std::vector<int> piece_of_slot(tets_.size(), -1);
+  int pieces = 0;
+  for (const BodyId body : opened)
+    for (const std::vector<TetId>& piece : connected_components(world_.mesh, world_.bodies[body].tets)) {
+      for (const TetId tet : piece) piece_of_slot[slot_of_tet_[tet]] = pieces;
+      ++pieces;
+    }
+  if (pieces > static_cast<int>(opened.size()))
+    contacts_->drop_bonds([&](const explicit_dynamics::CrackSides& crack) {
+      return piece_of_slot[crack.first_slot] != piece_of_slot[crack.second_slot];
+    });
 }
 
 }  // namespace griffith

@@ -186,6 +186,7 @@ void ExplicitRun::check_overload() {
     return a.utilization != b.utilization ? a.utilization > b.utilization : a.node < b.node;
   });
   world_.report.cracks_postponed = 0;
+  const std::size_t first_event = world_.crack_events.size();
   for (const Overload& overload : overloaded_) {
     if (rebuild_) break;  // the others are judged again on the new mesh
     if (world_.report.cracks >= world_.model->scene.simulation.max_cracks_per_step) {
@@ -194,6 +195,7 @@ void ExplicitRun::check_overload() {
       open(overload);
     }
   }
+  if (world_.crack_events.size() > first_event && !rebuild_) drop_parted_bonds(first_event);
 }
 
 /// Takes a node that has been overloaded for long enough among those that open. `last_check`: before this one [s].

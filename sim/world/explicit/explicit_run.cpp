@@ -6,7 +6,6 @@
 
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/bodies/bonded_pieces.h"
 #include "sim/world/contact/contact_phase.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/explicit/similarity.h"
@@ -279,8 +278,6 @@ void ExplicitRun::finish(double duration) {
   for (const explicit_dynamics::ExplicitConstraint& held : explicit_bodies_.constraints())
     world_.nodes.reactions[nodes_[held.node]] =
         held.impulse / (duration * body_of(nodes_[held.node]).explicit_state->similarity);
-  for (const BodyId id : bodies_)
-    if (world_.bodies[id].bonded && bonded_pieces(world_, world_.bodies[id]).size() > 1) opened_.bodies.insert(id);
   if (!opened_.bodies.empty()) part_opened(world_, opened_);
   for (Body& body : world_.bodies) {
     if (!is_followed(body)) continue;

@@ -115,6 +115,7 @@ class ExplicitRun {
   void list_crack(int index);
   void restore_bonds();
   void store_bonds();
+  void drop_parted_bonds(std::size_t first_event);
   void update_threshold(int index);
   void update_linear_states(std::span<const TetId> tets, const Body& body, std::vector<ElementState>& states);
   void update_quadratic_states(std::span<const TetId> tets, const Body& body);

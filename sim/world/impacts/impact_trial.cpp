@@ -56,7 +56,7 @@ class Trial {
     TrialOutcome outcome;
     outcome.touched = approach(wait);
     outcome.contact = time_;
-    outcome.harmful = outcome.touched && (bonded_ || follow());
+    outcome.harmful = outcome.touched && follow();
     outcome.work = kMicrostepWork * microsteps_ * weight_ + contacts_->work();
     return outcome;
   }
@@ -88,12 +88,10 @@ class Trial {
   double last_check_ = 0, interval_ = std::numeric_limits<double>::infinity();
   double min_speed_ = std::numeric_limits<double>::infinity();
   double microsteps_ = 0;
-  bool bonded_ = false;  ///< parts would move freely here, as bonds do not act
 };
 
 void Trial::add_body(const Body& body, double flight) {
   const RigidState state = flown(body, flight);
-  bonded_ |= body.bonded;
   const std::vector<int> local = add_nodes(body, state);
   add_elements(body, local, parts_.turns.back());
   add_surface(body);

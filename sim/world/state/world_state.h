@@ -77,7 +77,6 @@ struct alignas(64) Body {
   double highest_frequency = 0;             ///< [rad/s]; 0 until explicit integration asks for it
   double element_size = 0;                  ///< edge length of the cubes that six of its tets would fill, mean [m]
   double depth = 0;                         ///< volume over surface at rest, half the thickness of a plate [m]
-  bool bonded = false;                      ///< parts of it hold together by bonds of opened faces alone
   double extent = 0;                        ///< longest edge of the box around it at rest [m]
   double weakest_fraction = 1;              ///< fraction of its material's resistance at its weakest node and plane [-]
   std::optional<ScaledImpact> scaled;       ///< record of the last step, if any
@@ -191,7 +190,7 @@ struct WorldState {
   double time = 0;  ///< [s]
   std::vector<CrackEvent> crack_events;
   std::vector<PostponedCrack> postponed;
-  std::vector<CohesiveFace> cohesive_faces;  ///< opened faces that still hold, for full stiffness
+  std::vector<CohesiveFace> cohesive_faces;  ///< cohesive faces of bodies in explicit dynamics, for full stiffness
   StepReport report;
   StepOutput output;
   EnergyAccount energy, energy_before;  ///< so far; before the present step
