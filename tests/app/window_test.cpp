@@ -43,8 +43,8 @@ TEST(Window, PlaysAScriptAndTakesPreferences) {
                                       clean_state() + "xvfb-run -a -s '-screen 0 1600x1000x24'");
   ASSERT_EQ(outcome.code, 0) << outcome.output;
   const render::Image image = render::load_png(picture);
-  EXPECT_LT(image.pixel(390, 500)[2], 120) << "the side panel is as wide as preferred";
-  EXPECT_GT(image.pixel(410, 400)[2], 150) << "and no wider";
+  EXPECT_LT(image.pixel(390, 500)[2], 80) << "the side panel is as wide as preferred";
+  EXPECT_GT(image.pixel(410, 400)[2], 100) << "and no wider";
 }
 
 TEST(Window, IsNoLargerThanTheScreen) {
