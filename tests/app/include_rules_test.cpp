@@ -164,7 +164,7 @@ TEST(IncludeRules, LowerFoldersOfTheProgramKnowNoHigherOnes) {
                             {"app/render", "^app/(shared|picture|output|editor|render)$"},
                             {"app/regress", "^app/(shared|output|render|regress)$"},
                             {"app/study", "^app/(shared|output|study)$"},
-                            {"app/validate", "^app/(render|study|validate)$"},
+                            {"app/validate", "^app/(shared|render|study|validate)$"},
                             {"app/cli", "^app/.*$"}});
 }
 
