@@ -64,13 +64,6 @@ double ValueRange::at(double fraction) const {
   return fraction <= 0 ? low : fraction >= 1 ? high : std::strtod(rounded_text(value, 12).c_str(), nullptr);
 }
 
-std::optional<double> number_in(std::string_view text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool good = error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
-  return good ? std::optional(value) : std::nullopt;
-}
-
 std::optional<ValueRange> read_range(const std::string& text, const std::string& where) {
   const std::vector<std::string> parts = split(text, ':');
   const std::optional<double> low = number_in(parts[0]);

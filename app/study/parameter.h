@@ -30,9 +30,6 @@ struct Parameter {
 /// Splits a text at separators outside of brackets, braces and quotes.
 std::vector<std::string> split_outside_brackets(const std::string& text, char separator);
 
-/// Returns the finite number that is the whole `text`; empty for another text.
-std::optional<double> number_in(std::string_view text);
-
 /// Parses "LOW:HIGH", "LOW:HIGH:COUNT" or "LOW:HIGH:COUNTlog"; empty for a text that does not begin as one. Throws
 /// InputError, which names `where`, for one that continues otherwise.
 std::optional<ValueRange> read_range(const std::string& text, const std::string& where);

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <charconv>
+#include <cmath>
 #include <cstdio>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "sim/core/linear_algebra.h"
 
@@ -27,6 +30,14 @@ inline std::string number_text(double value) {
   std::string text;
   append_number(text, value);
   return text;
+}
+
+/// Returns the finite number that fills a text; empty for other texts.
+inline std::optional<double> number_in(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool good = error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
+  return good ? std::optional(value) : std::nullopt;
 }
 
 /// Returns a number rounded to at most `digits` significant digits: "0.25", "1e+06".

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <utility>
+
+#include "sim/core/number_text.h"
 
 namespace griffith::ui {
 namespace {
@@ -28,13 +29,6 @@ std::optional<int> command_score(const CommandInfo& info, std::string_view query
   const std::string with_menu = std::string(menu_label(info.menu)) + " " + std::string(info.label);
   if (const std::optional<int> score = match_score(with_menu, query)) return *score + kMenu;
   return help_score(info.hint, query);
-}
-
-/// Parses a number that fills the word; empty for other words.
-std::optional<double> number_in(std::string_view word) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc() && end == word.data() + word.size() ? std::optional(value) : std::nullopt;
 }
 
 bool is_count(double value, double least, double most) {
@@ -94,8 +88,7 @@ std::vector<const CommandInfo*> matching_commands(std::span<const CommandInfo> c
   const auto [query, numbers] = parse_command_query(text);
   std::vector<std::pair<int, const CommandInfo*>> scored;
   for (const CommandInfo& info : commands) {
-    if (info.menu == Menu::none && !with_numbers(info, numbers)) continue;
-    if (!numbers.empty() && !with_numbers(info, numbers)) continue;
+    if ((info.menu == Menu::none || !numbers.empty()) && !with_numbers(info, numbers)) continue;
     if (const std::optional<int> score = command_score(info, query)) scored.emplace_back(*score, &info);
   }
   std::ranges::stable_sort(scored, [](const auto& a, const auto& b) { return a.first > b.first; });
