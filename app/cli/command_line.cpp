@@ -139,6 +139,12 @@ void add_threads(CLI::App& command) {
       ->type_name("T");
 }
 
+void add_egl_device(CLI::App& command, std::optional<int>& device) {
+  command.add_option("--egl-device", device, "EGL device index of the graphics device")
+      ->check(CLI::Range(0, 64))
+      ->type_name("N");
+}
+
 int thread_count(const CLI::App& command) {
   const CLI::Option* option = command.get_option_no_throw(kThreads);
   return option && *option ? option->as<int>() : default_thread_count();

@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,9 @@ inline constexpr int kMaxFrames = 10'000'000;
 void add_threads(CLI::App& command);
 /// Returns the number of threads of --threads, or that of the machine.
 int thread_count(const CLI::App& command);
+
+/// Adds the option --egl-device.
+void add_egl_device(CLI::App& command, std::optional<int>& device);
 
 /// Adds the option --set; settings() parses its texts.
 void add_settings(CLI::App& command, std::vector<std::string>& texts);

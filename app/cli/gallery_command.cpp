@@ -42,9 +42,7 @@ Command add_gallery(CLI::App& program) {
                    "Markdown file to write; its pictures are JPEG files in a folder of the same name next to it")
       ->required()
       ->type_name("FILE");
-  command->add_option("--egl-device", options->egl_device, "EGL device index of the graphics device")
-      ->check(CLI::Range(0, 64))
-      ->type_name("N");
+  add_egl_device(*command, options->egl_device);
   add_threads(*command);
   command->footer(
       "Example:\n  griffith gallery docs/gallery.json -o docs/gallery.md\n\n"

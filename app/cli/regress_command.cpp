@@ -198,9 +198,7 @@ void add_options(CLI::App& command, RegressOptions& options) {
       ->type_name("FILE");
   command.add_option("--junit", options.junit, "Write the results as JUnit XML, for continuous integration")
       ->type_name("FILE");
-  command.add_option("--egl-device", options.egl_device, "EGL device index of the graphics device")
-      ->check(CLI::Range(0, 64))
-      ->type_name("N");
+  add_egl_device(command, options.egl_device);
 }
 
 }  // namespace

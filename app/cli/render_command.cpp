@@ -226,9 +226,7 @@ void add_how(CLI::App& command, RenderOptions& options) {
   command.add_flag("--legend,!--no-legend", options.job.legend, "Draw the legend of the colors; default: on");
   command.add_flag("--transparent", options.job.transparent,
                    "Draw neither sky nor ground; empty pixels are transparent");
-  command.add_option("--egl-device", options.egl_device, "EGL device index of the graphics device")
-      ->check(CLI::Range(0, 64))
-      ->type_name("N");
+  add_egl_device(command, options.egl_device);
 }
 
 void add_where(CLI::App& command, RenderOptions& options) {
