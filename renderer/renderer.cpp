@@ -76,10 +76,6 @@ int shadow_texels(const Focus& focus, const Camera& camera, const RenderOptions&
   return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(texels))));
 }
 
-float linear_from_srgb(float channel) {
-  return channel <= 0.04045f ? channel / 12.92f : std::pow((channel + 0.055f) / 1.055f, 2.4f);
-}
-
 /// Returns the light from the lit ground, and from the floor of a room without one; w: strength of the environment.
 Vec4 surroundings_of(const DrawScene& scene) {
   constexpr float kGroundLight = 0.75f;  // mean illumination of the ground

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "renderer/color.h"
+
 namespace griffith::app {
 namespace {
 
@@ -14,14 +16,8 @@ double radical_inverse(int index, int base) {
   return result;
 }
 
-float linear(std::uint8_t byte) {
-  const float value = static_cast<float>(byte) / 255;
-  return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
-}
-
 std::uint8_t encoded(float light) {
-  const float value = light <= 0.0031308f ? 12.92f * light : 1.055f * std::pow(light, 1 / 2.4f) - 0.055f;
-  return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0f, 1.0f)));
+  return static_cast<std::uint8_t>(std::lround(255 * std::clamp(render::srgb_from_linear(light), 0.0f, 1.0f)));
 }
 
 }  // namespace
@@ -66,7 +62,8 @@ LaterFrame::LaterFrame(const Frame& frame, double time)
 void ImageSum::add(const render::Image& image) {
   static const auto light = [] {
     std::array<float, 256> table;
-    for (int i = 0; i < 256; ++i) table[static_cast<std::size_t>(i)] = linear(static_cast<std::uint8_t>(i));
+    for (int i = 0; i < 256; ++i)
+      table[static_cast<std::size_t>(i)] = render::linear_from_srgb(static_cast<float>(i) / 255);
     return table;
   }();
   width_ = image.width, height_ = image.height;
