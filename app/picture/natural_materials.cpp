@@ -34,6 +34,11 @@ struct NaturalLook {
 constexpr render::Rgb kMortar = {0.72f, 0.70f, 0.66f};
 using enum render::Grain;
 
+/// Returns the look of wood, whatever the direction of its load.
+constexpr NaturalLook wood(std::string_view preset) {
+  return {preset, {0.62f, 0.44f, 0.27f}, {0.80f, 0.63f, 0.42f}, 0.06f, 0.30f, 0.30f, 0, rings, 0.012f, {0.6f, 0.4f, 0}};
+}
+
 constexpr NaturalLook kLookTable[] = {
     {"soda_lime_glass", {0.62f, 0.81f, 0.82f}, {0.62f, 0.81f, 0.82f}, 0, 0.02f, 0.06f, 0.06f},
     {"concrete", {0.66f, 0.65f, 0.63f}, {0.57f, 0.56f, 0.54f}, 0, 0.20f, 0.35f, 0, stones, 0.04f},
@@ -44,26 +49,8 @@ constexpr NaturalLook kLookTable[] = {
     {"granite", {0.53f, 0.52f, 0.53f}, {0.47f, 0.46f, 0.47f}, 0, 0.25f, 0.40f, 0, crystals, 0.012f, {0.5f, 0.3f, 0}},
     {"marble", {0.87f, 0.86f, 0.84f}, {0.85f, 0.84f, 0.83f}, 0, 0.05f, 0.30f, 0, veins, 0.035f, {0.8f, 0.12f, 0}},
     {"plaster", {0.90f, 0.88f, 0.84f}, {0.93f, 0.91f, 0.87f}, 0, 0.03f, 0.40f, 0, sand, 0.005f},
-    {"wood_along_grain",
-     {0.62f, 0.44f, 0.27f},
-     {0.80f, 0.63f, 0.42f},
-     0.06f,
-     0.30f,
-     0.30f,
-     0,
-     rings,
-     0.012f,
-     {0.6f, 0.4f, 0}},
-    {"wood_across_grain",
-     {0.62f, 0.44f, 0.27f},
-     {0.80f, 0.63f, 0.42f},
-     0.06f,
-     0.30f,
-     0.30f,
-     0,
-     rings,
-     0.012f,
-     {0.6f, 0.4f, 0}},
+    wood("wood_along_grain"),
+    wood("wood_across_grain"),
     {"abs", {0.25f, 0.26f, 0.28f}, {0.42f, 0.43f, 0.45f}, 0, 0.02f, 0.10f, 0, none, 0.02f, {0.8f, 0.25f, 0}},
     {"acrylic", {0.78f, 0.86f, 0.90f}, {0.78f, 0.86f, 0.90f}, 0, 0.02f, 0.10f, 0.3f},
     {"grey_cast_iron",
