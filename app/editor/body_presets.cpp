@@ -45,7 +45,7 @@ std::vector<BodyDescription> brick_wall() {
 std::vector<BodyDescription> placed(std::vector<BodyDescription> bodies, const Scene& scene, const Frame& frame) {
   constexpr double kRoom = 0.1;
   Eigen::AlignedBox3d box;
-  for (const BodyDescription& body : bodies) box.extend(placed_surface(body, scene.folder).box);
+  for (const BodyDescription& body : bodies) box.extend(placed_box(body, scene.folder));
   const double ground = scene.ground ? scene.ground->height : 0;
   const double right = scene.bodies.empty() ? 0 : free_place(scene, frame, kRoom) - box.min().x();
   std::vector<BodyDescription> known = scene.bodies;

@@ -2,28 +2,18 @@
 
 #include <algorithm>
 
+#include "app/editor/placed_surface.h"
 #include "sim/scene/body_pose.h"
 #include "sim/world/setup/shape_mesh.h"
 #include "ui/model/scene_entry.h"
 
 namespace griffith::app {
-namespace {
-
-/// Returns the bounding box of a body in its placement [m].
-Eigen::AlignedBox3d placed_bounds(const BodyDescription& body, const Scene& scene) {
-  const Pose pose = pose_of(body);
-  Eigen::AlignedBox3d box;
-  for (const Vec3& point : make_soup(body.shape, scene.folder).points) box.extend(pose.to_world(point));
-  return box;
-}
-
-}  // namespace
 
 double free_place(const Scene& scene, const Frame& frame, double room) {
   double right = -room;
   for (const Vec3& position : frame.nodes.rest_positions) right = std::max(right, position.x());
   for (std::size_t i = frame.materials.size(); i < scene.bodies.size(); ++i)
-    right = std::max(right, placed_bounds(scene.bodies[i], scene).max().x());
+    right = std::max(right, placed_box(scene.bodies[i], scene.folder).max().x());
   return right + room;
 }
 
@@ -34,7 +24,7 @@ BodyDescription new_body(const TypicalBody& typical, const Scene& scene, const F
   body.shape = typical.shape;
   body.rotation_degrees = typical.rotation_degrees;
   if (const std::optional<Material> material = find_material_preset(typical.material)) body.material = *material;
-  const Eigen::AlignedBox3d box = placed_bounds(body, scene);
+  const Eigen::AlignedBox3d box = placed_box(body, scene.folder);
   const double ground = scene.ground ? scene.ground->height : 0;
   const double left = scene.bodies.empty() ? 0 - box.center().x() : free_place(scene, frame, kRoom) - box.min().x();
   body.position = Vec3(left, ground - box.min().y(), 0 - box.center().z());  // avoids a negative zero
@@ -44,7 +34,7 @@ BodyDescription new_body(const TypicalBody& typical, const Scene& scene, const F
 BodyDescription copy_of_body(const Scene& scene, int index, const Frame& frame) {
   BodyDescription body = scene.bodies[static_cast<std::size_t>(index)];
   body.name = ui::free_name(scene.bodies, body.name);
-  const Eigen::AlignedBox3d box = placed_bounds(body, scene);
+  const Eigen::AlignedBox3d box = placed_box(body, scene.folder);
   body.position.x() += free_place(scene, frame, 0.2 * box.sizes().x()) - box.min().x();
   return body;
 }

@@ -98,6 +98,13 @@ PlacedSurface narrowed(PlacedSurface surface) {
 
 }  // namespace
 
+Eigen::AlignedBox3d placed_box(const BodyDescription& body, const std::filesystem::path& folder) {
+  const Pose pose = pose_of(body);
+  Eigen::AlignedBox3d box;
+  for (const Vec3& point : make_soup(body.shape, folder).points) box.extend(pose.to_world(point));
+  return box;
+}
+
 PlacedSurface placed_surface(const BodyDescription& body, const std::filesystem::path& folder) {
   const TetSoup soup = make_soup(body.shape, folder);
   const Pose pose = pose_of(body);
