@@ -17,14 +17,6 @@ namespace {
 
 constexpr char kAxisNames[] = "xyz";
 
-/// Returns the indices of the selected bodies, the one selected last at the end.
-std::vector<std::size_t> chosen_bodies(const ui::EditorState& state, const Scene& scene) {
-  std::vector<std::size_t> bodies;
-  for (const SceneEntry& entry : ui::selected_entries(state, scene))
-    if (entry.kind == EntryKind::body) bodies.push_back(static_cast<std::size_t>(entry.index));
-  return bodies;
-}
-
 void select_bodies(ui::EditorState& state, const Scene& scene, const std::vector<std::size_t>& bodies) {
   std::vector<SceneEntry> entries;
   for (const std::size_t body : bodies) entries.push_back({EntryKind::body, static_cast<int>(body)});
@@ -143,7 +135,7 @@ BodyDescription mirrored(BodyDescription body, int axis, double place) {
 }
 
 double center_along(const Scene& scene, std::size_t body, int axis) {
-  return placed_surface(scene.bodies[body], scene.folder).box.center()[axis];
+  return placed_box(scene.bodies[body], scene.folder).center()[axis];
 }
 
 /// Throws InputError if the body lies in the mirror plane, so that its image would fill the same place.
@@ -158,7 +150,7 @@ void require_side(const Scene& scene, std::size_t body, int axis, double place) 
 
 void drop_bodies(ui::EditHistory& history, ui::EditorState& state) {
   const Scene& scene = history.scene();
-  const std::vector<std::size_t> selected = chosen_bodies(state, scene);
+  const std::vector<std::size_t> selected = ui::selected_body_indices(state, scene);
   std::vector<std::size_t> dropped = selected, settled;
   std::vector<PlacedSurface> surfaces = all_surfaces(scene);
   for (std::size_t i = 0; i < surfaces.size(); ++i)
@@ -176,7 +168,7 @@ void drop_bodies(ui::EditHistory& history, ui::EditorState& state) {
 }
 
 void array_bodies(ui::EditHistory& history, ui::EditorState& state, int count, const Vec3& offset) {
-  const std::vector<std::size_t> selected = chosen_bodies(state, history.scene());
+  const std::vector<std::size_t> selected = ui::selected_body_indices(state, history.scene());
   std::vector<BodyDescription> added;
   for (int i = 1; i < count; ++i)
     for (const std::size_t body : selected) {
@@ -188,14 +180,14 @@ void array_bodies(ui::EditHistory& history, ui::EditorState& state, int count, c
 
 Vec3 side_by_side(const Scene& scene, const ui::EditorState& state) {
   Eigen::AlignedBox3d box;
-  for (const std::size_t body : chosen_bodies(state, scene))
-    box.extend(placed_surface(scene.bodies[body], scene.folder).box);
+  for (const std::size_t body : ui::selected_body_indices(state, scene))
+    box.extend(placed_box(scene.bodies[body], scene.folder));
   return box.isEmpty() ? Vec3(1, 0, 0) : ui::moved_place(Vec3::Zero(), Vec3(box.sizes().x(), 0, 0));
 }
 
 void mirror_bodies(ui::EditHistory& history, ui::EditorState& state, int axis) {
   const Scene& scene = history.scene();
-  std::vector<std::size_t> selected = chosen_bodies(state, scene);
+  std::vector<std::size_t> selected = ui::selected_body_indices(state, scene);
   double place = 0;
   if (selected.size() > 1) {
     place = center_along(scene, selected.back(), axis);
@@ -212,7 +204,7 @@ void mirror_bodies(ui::EditHistory& history, ui::EditorState& state, int axis) {
 
 void align_bodies(ui::EditHistory& history, ui::EditorState& state, int axis) {
   const Scene& scene = history.scene();
-  const std::vector<std::size_t> selected = chosen_bodies(state, scene);
+  const std::vector<std::size_t> selected = ui::selected_body_indices(state, scene);
   const double place = center_along(scene, selected.back(), axis);
   std::vector<BodyDescription> bodies = scene.bodies;
   for (const std::size_t body : selected) {

@@ -11,7 +11,7 @@ using ui::Menu;
 namespace {
 
 std::size_t chosen_bodies(const CommandContext& context) {
-  return ui::selected_bodies(context.state, context.history.scene()).size();
+  return ui::selected_body_indices(context.state, context.history.scene()).size();
 }
 
 std::string_view no_chosen_body(const CommandContext& context) {

@@ -16,10 +16,16 @@ std::optional<SceneEntry> active_entry(const EditorState& state, const Scene& sc
   return chosen.empty() ? std::nullopt : std::optional(chosen.back());
 }
 
+std::vector<std::size_t> selected_body_indices(const EditorState& state, const Scene& scene) {
+  std::vector<std::size_t> bodies;
+  for (const SceneEntry& entry : selected_entries(state, scene))
+    if (entry.kind == EntryKind::body) bodies.push_back(static_cast<std::size_t>(entry.index));
+  return bodies;
+}
+
 std::vector<std::string> selected_bodies(const EditorState& state, const Scene& scene) {
   std::vector<std::string> names;
-  for (const SceneEntry& entry : selected_entries(state, scene))
-    if (entry.kind == EntryKind::body) names.push_back(entry_name(scene, entry));
+  for (const std::size_t body : selected_body_indices(state, scene)) names.push_back(scene.bodies[body].name);
   return names;
 }
 

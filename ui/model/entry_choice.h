@@ -8,6 +8,8 @@ namespace griffith::ui {
 std::vector<SceneEntry> selected_entries(const EditorState& state, const Scene& scene);
 /// Returns the last selected entry, whose fields are shown.
 std::optional<SceneEntry> active_entry(const EditorState& state, const Scene& scene);
+/// Returns the indices of the selected bodies, the one selected last at the end.
+std::vector<std::size_t> selected_body_indices(const EditorState& state, const Scene& scene);
 /// Returns the names of the selected bodies.
 std::vector<std::string> selected_bodies(const EditorState& state, const Scene& scene);
 
