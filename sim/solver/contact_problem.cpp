@@ -56,9 +56,13 @@ class ContactSolver {
       const Minimum found = minimize(round + 1 == tolerance_.max_rounds);
       const RoundChanges changes = finish_round();
       if (found == Minimum::none) report_.unconverged = static_cast<int>(contacts_.size());
+      if (stiffness_.empty()) {  // no factors: impulses would grow from round to round, and move nothing
+        impulses_.setZero();
+        break;
+      }
       if (report_.unconverged == 0 && found == Minimum::exact) responded = respond();
       if (responded) break;
-      if (changes.hardens || stiffness_.empty())
+      if (changes.hardens)
         lifts_ = changes.lifts;
       else
         begin_round(changes);

@@ -71,6 +71,13 @@ void multiply_symmetric(const Eigen::MatrixXd& matrix, const double* x, double* 
     product[j] = dot_product(matrix.col(j).data(), x, static_cast<std::size_t>(matrix.rows()));
 }
 
+/// Returns the root of a semidefinite matrix. Bodies on a hinge have zero eigenvalues, which rounding makes negative.
+Mat3 root_of(const Mat3& matrix) {
+  const Eigen::SelfAdjointEigenSolver<Mat3> eigen(matrix);
+  const Vec3 roots = eigen.eigenvalues().cwiseMax(0).cwiseSqrt();
+  return eigen.eigenvectors() * roots.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
 /// True if the dense matrix of touched rows takes more operations to factor than the sparse one of all rows.
 bool condensing_costs_more(const FactorPreconditioner& factors, std::size_t touched) {
   const double unknowns = 3 * static_cast<double>(touched);
@@ -83,8 +90,7 @@ TouchedInverse::TouchedInverse(const DeformableInertia& body, std::vector<int> t
     : body_(body), touched_(std::move(touched)) {
   if (body.whole.exists()) {
     root_of_mass_ = std::sqrt(body.whole.inverse_mass / body.whole.damping);
-    root_of_inertia_ =
-        Eigen::SelfAdjointEigenSolver<Mat3>(body.whole.inverse_inertia / body.whole.damping).operatorSqrt();
+    root_of_inertia_ = root_of(body.whole.inverse_inertia / body.whole.damping);
   }
   Eigen::MatrixXd units = filled_columns(reduce_units(), 3 * touched_.size());
   compliance_ = square(std::move(units));
