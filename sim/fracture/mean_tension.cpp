@@ -17,6 +17,12 @@ double distance_at_rest(const TetMesh& mesh, NodeId node, TetId tet) {
 
 }  // namespace
 
+TensionZone star_zone(const TetMesh& mesh, NodeId node) {
+  TensionZone zone;
+  for (const TetId tet : mesh.stars[node]) zone.parts.push_back({tet, 1});
+  return zone;
+}
+
 TensionZone TensionZones::zone_within(NodeId node, double radius) {
   TensionZone zone{{}, radius};
   std::vector<TensionZone::Part>& parts = zone.parts;

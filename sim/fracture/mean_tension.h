@@ -21,6 +21,9 @@ struct TensionZone {
   double radius = 0;        ///< [m]
 };
 
+/// Returns the tets of a node as its zone, all alike.
+TensionZone star_zone(const TetMesh& mesh, NodeId node);
+
 /// Finds the zones of nodes, one after the other.
 class TensionZones {
  public:

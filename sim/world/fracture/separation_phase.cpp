@@ -58,7 +58,10 @@ double average_tension(const WorldState& world, const SeparationInput& input, Te
   separation.mean_tension = separation.stress;
   separation.averaging_radius = 0;
   if (separation.stress <= kWorthAveraging * strength) return separation.stress / strength;
-  const TensionZone zone = tension_zone_at(world, zones, node);
+  TensionZone zone = tension_zone_at(world, zones, node);
+  // At a front, the stress at the corner of a quadratic tet is as large as the tet is small: that of the whole counts.
+  if (zone.parts.empty() && world.nodes.at_crack_front[node] != 0 && !body_at(world, node).edges.empty())
+    zone = star_zone(world.mesh, node);
   if (zone.parts.empty() || tension <= 0) return separation.stress / strength;
   separation.averaging_radius = zone.radius;
   separation.mean_tension =
