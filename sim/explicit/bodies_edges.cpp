@@ -1,5 +1,11 @@
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "sim/core/tet_edge_corners.h"
 #include "sim/explicit/explicit_bodies.h"
 #include "sim/explicit/stars.h"
+#include "sim/geometry/disjoint_sets.h"
 
 namespace griffith::explicit_dynamics {
 namespace {
@@ -9,7 +15,7 @@ WideQuad wide_vector(const Vec3& v) { return WideQuad{v[0], v[1], v[2], 0}; }
 }  // namespace
 
 int ExplicitBodies::add_edge(const ExplicitEdgeStart& start) {
-  edges_.push_back({.inverse_mass = 1 / start.mass});
+  edges_.push_back({.inverse_mass = 1 / start.mass, .acceleration = start.acceleration});
   constrain_edge(edge_count() - 1, start.allowed);
   edge_offsets_.push_back({wide_vector(start.offset)});
   edge_velocities_.push_back({wide_vector(start.velocity)});
@@ -17,7 +23,7 @@ int ExplicitBodies::add_edge(const ExplicitEdgeStart& start) {
 }
 
 int ExplicitBodies::copy_edge(int edge, double mass) {
-  return add_edge({edge_offset(edge), edge_velocity(edge), mass, edges_[edge].allowed});
+  return add_edge({edge_offset(edge), edge_velocity(edge), mass, edges_[edge].allowed, edges_[edge].acceleration});
 }
 
 void ExplicitBodies::constrain_edge(int edge, const Mat3& allowed) {
@@ -55,12 +61,67 @@ void ExplicitBodies::part_edge(int edge, std::span<const int> copies, std::span<
   }
 }
 
-Vec3 ExplicitBodies::edge_acceleration(int index) const {
+int ExplicitBodies::edge_between(int slot, int corner, int other) const {
+  const auto joins = [&](const std::array<int, 2>& ends) {
+    return std::minmax(corner, other) == std::minmax(ends[0], ends[1]);
+  };
+  const auto edge = std::ranges::find_if(kTetEdges, joins) - kTetEdges.begin();
+  return quadratics_[quadratic_of_block_[slot / kLanes]].edges[edge][slot % kLanes];
+}
+
+double ExplicitBodies::tie_edges(std::span<const std::pair<int, int>> pairs) {
+  for (ExplicitEdge& edge : edges_) edge.tie = -1;
+  ties_.clear();
+  const std::vector<int> groups = connected_groups(edge_count(), pairs);
+  std::map<int, std::set<int>> tied;
+  for (const auto& [first, second] : pairs) tied[groups[first]].insert({first, second});
+  double lost = 0;
+  for (const auto& [group, members] : tied) {
+    for (const int edge : members) edges_[edge].tie = static_cast<int>(ties_.size());
+    ties_.emplace_back(members.begin(), members.end());
+    lost += move_alike(ties_.back());
+  }
+  return lost;
+}
+
+/// Gives edges the velocity of their common momentum. Returns the kinetic energy that this takes [J].
+double ExplicitBodies::move_alike(std::span<const int> tied) {
+  Vec3 momentum = Vec3::Zero();
+  double mass = 0, lost = 0;
+  for (const int edge : tied) {
+    momentum += edge_velocity(edge) / edges_[edge].inverse_mass;
+    mass += 1 / edges_[edge].inverse_mass;
+  }
+  const Vec3 common = momentum / mass;
+  for (const int edge : tied) {
+    lost += 0.5 / edges_[edge].inverse_mass * (edge_velocity(edge) - common).squaredNorm();
+    edge_velocities_[edge].value = wide_vector(common);
+  }
+  return lost;
+}
+
+std::span<const int> ExplicitBodies::tied_to(const int& edge) const {
+  return edges_[edge].tie < 0 ? std::span(&edge, 1) : std::span(ties_[edges_[edge].tie]);
+}
+
+double ExplicitBodies::tied_mass(int edge) const {
+  double mass = 0;
+  for (const int tied : tied_to(edge)) mass += 1 / edges_[tied].inverse_mass;
+  return mass;
+}
+
+Vec3 ExplicitBodies::edge_force(int index) const {
   const ExplicitEdge& edge = edges_[index];
-  Vec3 force = Vec3::Zero();
+  Vec3 force = edge.acceleration / edge.inverse_mass;
   for (int e = edge.first; e < edge.first + edge.count; ++e)
     for (int i = 0; i < 3; ++i) force[i] += edge_forces_[edge_stars_[e]].value[i];
-  return edge.inverse_mass * (edge.allowed * force);
+  return force;
+}
+
+Vec3 ExplicitBodies::edge_acceleration(int index) const {
+  Vec3 force = Vec3::Zero();
+  for (const int tied : tied_to(index)) force += edge_force(tied);
+  return edges_[index].allowed * force / tied_mass(index);
 }
 
 void ExplicitBodies::advance_edges(double kick, double drift) {
@@ -69,8 +130,12 @@ void ExplicitBodies::advance_edges(double kick, double drift) {
     Quad sum = {};
     for (int e = edge.first; e < edge.first + edge.count; ++e) sum += edge_forces_[edge_stars_[e]].value;
     const WideQuad force = __builtin_convertvector(sum, WideQuad);
-    WideQuad push = kick * edge.inverse_mass * force;
-    if (!edge.is_free) push = wide_vector(edge.allowed * Vec3(push[0], push[1], push[2]));
+    WideQuad push = kick * (edge.inverse_mass * force + wide_vector(edge.acceleration));
+    if (edge.tie >= 0) {
+      push = wide_vector(kick * edge_acceleration(i));
+    } else if (!edge.is_free) {
+      push = wide_vector(edge.allowed * Vec3(push[0], push[1], push[2]));
+    }
     push[3] = 0;
     edge_velocities_[i].value += push;
     edge_offsets_[i].value += drift * edge_velocities_[i].value;

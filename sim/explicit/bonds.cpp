@@ -21,6 +21,29 @@ void MicrostepContacts::list_bonds(const ExplicitBodies& bodies) {
   lists_bonds_ = true;
 }
 
+/// Ties the copies of edges along cracks until both of their ends have broken: bonds act at corners, and between these
+/// the sides of a crack open linearly. An edge that were free at once would open by itself, for nothing.
+void MicrostepContacts::tie_edges(ExplicitBodies& bodies) {
+  if (!bodies.has_edges()) return;
+  std::vector<std::pair<int, int>> pairs;
+  for (const WatchedCrack& watched : cracks_) {
+    const CrackSides& crack = watched.sides;
+    if (!bodies.is_quadratic(bodies.body_of_slot(crack.first_slot))) continue;
+    const auto is_broken = [&](int i) {
+      return !crack.bonds[i].holds() && bodies.corner(crack.first_slot, crack.first_corners[i]) !=
+                                            bodies.corner(crack.second_slot, crack.second_corners[i]);
+    };
+    for (int i = 0; i < 3; ++i) {
+      const int next = (i + 1) % 3;
+      if (is_broken(i) && is_broken(next)) continue;
+      const int first = bodies.edge_between(crack.first_slot, crack.first_corners[i], crack.first_corners[next]),
+                second = bodies.edge_between(crack.second_slot, crack.second_corners[i], crack.second_corners[next]);
+      if (first != second) pairs.emplace_back(first, second);
+    }
+  }
+  lost_ += bodies.tie_edges(pairs);
+}
+
 /// Lets bonds resist the last motion. Those between two nodes began when these came apart and have opened alike: they
 /// act as one.
 void MicrostepContacts::hold_cracks(ExplicitBodies& bodies, double dt) {
@@ -38,7 +61,7 @@ void MicrostepContacts::hold_cracks(ExplicitBodies& bodies, double dt) {
       if (!whole.holds()) bond_at(*first) = {};
     }
   }
-  std::erase_if(bonds_, [&](const BondedCorner& at) { return !bond_at(at).holds(); });
+  if (std::erase_if(bonds_, [&](const BondedCorner& at) { return !bond_at(at).holds(); }) > 0) tie_edges(bodies);
 }
 
 /// The impulse belongs to the forces before the last motion, part of which it takes back. The bond takes the energy of

@@ -53,14 +53,17 @@ struct ExplicitEdge {
   int first = 0, count = 0;         ///< its range in the list of stars
   Mat3 allowed = Mat3::Identity();  ///< projector onto directions not blocked by supports
   bool is_free = true;
+  Vec3 acceleration = Vec3::Zero();  ///< acceleration of its offset by external forces [m/s²]
+  int tie = -1;                      ///< its group of tied edges, or -1
 };
 
 /// Initial state of an edge in the microsteps: its midpoint relative to the middle of its ends.
 struct ExplicitEdgeStart {
-  Vec3 offset = Vec3::Zero();       ///< [m]
-  Vec3 velocity = Vec3::Zero();     ///< velocity of the offset [m/s]
-  double mass = 0;                  ///< [kg], > 0
-  Mat3 allowed = Mat3::Identity();  ///< see NodeConstraint
+  Vec3 offset = Vec3::Zero();        ///< [m]
+  Vec3 velocity = Vec3::Zero();      ///< velocity of the offset [m/s]
+  double mass = 0;                   ///< [kg], > 0
+  Mat3 allowed = Mat3::Identity();   ///< see NodeConstraint
+  Vec3 acceleration = Vec3::Zero();  ///< acceleration of the offset by external forces [m/s²]
 };
 
 /// Body in explicit dynamics.
@@ -124,14 +127,21 @@ class ExplicitBodies {
 
   /// Separates an edge likewise; entries are edge_entry().
   void part_edge(int edge, std::span<const int> copies, std::span<const std::vector<int>> stars);
+  /// Ties pairs of edges from now on, and releases all others. Edges that pairs connect move alike, with the mean of
+  /// their momentum. Returns the kinetic energy that this takes [J], 0 if they moved alike before.
+  double tie_edges(std::span<const std::pair<int, int>> pairs);
   /// Returns the entry of edge 0..5 of a quadratic tet in the lists of stars.
   int edge_entry(int slot, int edge) const;
+  /// Returns the edge between two corners of a quadratic tet.
+  int edge_between(int slot, int corner, int other) const;
 
+  bool has_edges() const { return !edges_.empty(); }
   bool is_quadratic(int body) const { return quadratic_of_block_[bodies_[body].first_block] >= 0; }
   int edge_count() const { return static_cast<int>(edges_.size()); }
   Vec3 edge_offset(int edge) const { return vector(edge_offsets_[edge].value); }
   Vec3 edge_velocity(int edge) const { return vector(edge_velocities_[edge].value); }
   ExplicitEdge& edge(int index) { return edges_[index]; }
+  const ExplicitEdge& edge(int index) const { return edges_[index]; }
   int node_count() const { return static_cast<int>(nodes_.size()); }
   int tet_slots() const { return static_cast<int>(blocks_.size()) * kLanes; }
   int body_count() const { return static_cast<int>(bodies_.size()); }
@@ -171,6 +181,8 @@ class ExplicitBodies {
   void shift(int node, const Vec3& displacement) {
     displacements_[node].value += WideQuad{displacement[0], displacement[1], displacement[2], 0};
   }
+  /// Adds to an edge's lasting acceleration by external forces [m/s²].
+  void accelerate_edge(int edge, const Vec3& change) { edges_[edge].acceleration += change; }
   /// Adds to a node's lasting acceleration by external forces [m/s²].
   void accelerate(int node, const Vec3& change) {
     accelerations_[node].value += WideQuad{change[0], change[1], change[2], 0};
@@ -207,6 +219,10 @@ class ExplicitBodies {
                        ExplicitBody& body);
   void add_quadratic_blocks(std::span<const std::array<int, 6>> edges, const ExplicitBody& body);
   void list_edge_stars();
+  double move_alike(std::span<const int> tied);
+  std::span<const int> tied_to(const int& edge) const;
+  double tied_mass(int edge) const;
+  Vec3 edge_force(int edge) const;
   Vec3 edge_acceleration(int edge) const;
   QuadraticDisplacements displacements() const {
     return {&displacements_[0].value, edge_offsets_.empty() ? nullptr : &edge_offsets_[0].value};
@@ -225,6 +241,7 @@ class ExplicitBodies {
   std::vector<int> quadratic_of_block_;     ///< per block: index into quadratics_, -1 for linear ones
   std::vector<QuadraticBlock> quadratics_;  ///< data of blocks of quadratic tets
   std::vector<ExplicitEdge> edges_;
+  std::vector<std::vector<int>> ties_;  ///< groups of edges that move alike
   std::vector<NodeValue> edge_offsets_, edge_velocities_;
   std::vector<CornerForce> edge_forces_;  ///< forces by 6·(slot among quadratic ones) + edge
   std::vector<int> edge_stars_;

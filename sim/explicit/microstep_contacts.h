@@ -69,6 +69,8 @@ class MicrostepContacts {
     cracks_[crack].sides.bonds[corner] = bond;
     lists_bonds_ = false;
   }
+  /// Ties the copies of edges along cracks, after cracks have opened and before the next motion.
+  void tie_edges(ExplicitBodies& bodies);
   /// Drops the bonds of all cracks for which `is_dropped` is true.
   template <class IsDropped>
   void drop_bonds(const IsDropped& is_dropped) {

@@ -19,13 +19,14 @@ using ModeCombinations = Eigen::Matrix<double, 6, Eigen::Dynamic>;  // one combi
 
 /// The forces on a body's nodes in some configuration, and how far it is from equilibrium.
 struct Balance {
-  std::vector<Vec3> loads;     // per node of the mesh, those that follow it too [N]
-  std::vector<Vec3> forces;    // elastic + loads + inertia [N]
-  std::vector<Vec3> external;  // loads + inertia [N]
-  std::vector<Vec3> residual;  // the forces in the directions that supports leave
-  std::vector<Vec3> edges;     // the same of the edges of a quadratic body, per edge of the mesh
-  double norm = 0;             // of the residual
-  double elastic_energy = 0;   // [J]
+  std::vector<Vec3> loads;       // per node of the mesh, those that follow it too [N]
+  std::vector<Vec3> forces;      // elastic + loads + inertia [N]
+  std::vector<Vec3> external;    // loads + inertia [N]
+  std::vector<Vec3> residual;    // the forces in the directions that supports leave
+  std::vector<Vec3> edges;       // the same of the edges of a quadratic body, per edge of the mesh
+  std::vector<Vec3> edge_loads;  // loads on them
+  double norm = 0;               // of the residual
+  double elastic_energy = 0;     // [J]
 };
 
 /// Displacements of the nodes in a step, and of the edges of a quadratic body, per node and edge of the mesh [m].
@@ -171,8 +172,11 @@ Balance StaticSolver::balance() {
   Balance result;
   result.loads.resize(positions_.size(), Vec3::Zero());
   for (NodeId node : nodes_) result.loads[node] = problem_.loads[node];
-  if (problem_.add_follower_loads) problem_.add_follower_loads(positions_, result.loads);
-  std::vector<Vec3> forces = result.loads, edge_forces(edge_rows_.size(), Vec3::Zero());
+  result.edge_loads.resize(edge_rows_.size(), Vec3::Zero());
+  if (problem_.edges && !problem_.edges->loads.empty())
+    for (const EdgeId edge : edges_) result.edge_loads[edge] = problem_.edges->loads[edge];
+  if (problem_.add_follower_loads) problem_.add_follower_loads(positions_, result.loads, result.edge_loads);
+  std::vector<Vec3> forces = result.loads, edge_forces = result.edge_loads;
   for (TetId tet : problem_.tets) {
     add_elastic_forces(tet, forces, edge_forces);
     result.elastic_energy += problem_.rest_elements[tet].volume * states_[tet].energy_density;
@@ -280,6 +284,8 @@ double StaticSolver::energy_gained(const Balance& before, const Balance& after, 
   double work = 0;
   for (NodeId node : nodes_)
     work += 0.5 * fraction * (before.external[node] + after.external[node]).dot(step.nodes[node]);
+  for (const EdgeId edge : edges_)
+    work += 0.5 * fraction * (before.edge_loads[edge] + after.edge_loads[edge]).dot(step.edges[edge]);
   return after.elastic_energy - before.elastic_energy - work;
 }
 

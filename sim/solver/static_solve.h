@@ -15,6 +15,7 @@ struct StaticEdges {
   const TetEdges& topology;
   std::span<Vec3> offsets;                 ///< the start and the answer [m]
   std::span<const QuadraticState> states;  ///< per tet, as `evaluate` leaves them
+  std::span<const Vec3> loads = {};        ///< as StaticProblem::loads [N]; empty: none
 };
 
 /// A body at rest under loads. Spans are per node or tet of the mesh and outlive the problem.
@@ -29,9 +30,10 @@ struct StaticProblem {
   std::span<const Vec3> loads;  ///< that stay the same wherever the nodes go [N]
   /// Sets the states of the body's tets for these positions, per node and tet of the mesh.
   std::function<void(std::span<const Vec3> positions, std::span<ElementState> states)> evaluate;
-  /// Adds the loads that follow the nodes, such as pressures, at these positions, per node of the mesh [N]; empty:
-  /// none.
-  std::function<void(std::span<const Vec3> positions, std::span<Vec3> loads)> add_follower_loads = {};
+  /// Adds the loads that follow the nodes, such as pressures, at these positions, per node and edge of the mesh [N];
+  /// empty: none.
+  std::function<void(std::span<const Vec3> positions, std::span<Vec3> loads, std::span<Vec3> of_edges)>
+      add_follower_loads = {};
   /// Edges of a quadratic body: `evaluate` sets their states for their offsets, and the mean states.
   std::optional<StaticEdges> edges = {};
 };

@@ -239,11 +239,11 @@ double arrival(const Scene& scene) {
   Specimen specimen(scene);
   const double dt = stable_step(specimen);
   const std::vector<int> end = specimen.nodes_where([&](const Vec3& x) { return x.x() > length / 2 - 1e-9; });
-  std::vector<Vec3> loads(specimen.node_count(), Vec3::Zero());
-  add_load_forces(specimen.world(), 0, loads);
+  ExternalForces forces = no_forces(specimen.world());
+  add_load_forces(specimen.world(), 0, forces);
   double before = 0;
   for (int step = 1; step * dt < 2 * length / speed; ++step) {
-    step_explicitly(specimen, dt, loads);
+    step_explicitly(specimen, dt, forces.nodes);
     double now = 0;
     for (int node : end) now += specimen.world().nodes.velocities[node].x() / static_cast<double>(end.size());
     if (now >= kLevel * final_velocity)

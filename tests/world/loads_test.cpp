@@ -35,9 +35,9 @@ WorldState loaded(const Shape& shape, const std::vector<Load>& loads) {
 }
 
 std::vector<Vec3> forces_at(const WorldState& world, double time) {
-  std::vector<Vec3> forces(world.nodes.positions.size(), Vec3::Zero());
+  ExternalForces forces = no_forces(world);
   add_load_forces(world, time, forces);
-  return forces;
+  return forces.nodes;
 }
 
 Vec3 resultant(const std::vector<Vec3>& forces) {

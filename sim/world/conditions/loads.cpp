@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "sim/core/sort_unique.h"
+#include "sim/core/tet_edge_corners.h"
 #include "sim/world/regime/regime_change.h"
 #include "sim/world/state/world_state.h"
 
@@ -75,34 +76,57 @@ const char* loaded_things(LoadKind kind) {
   return "";
 }
 
+/// Returns the edges of a face of a quadratic tet; invalid ones for a linear tet.
+std::array<EdgeId, 3> face_edges(const WorldState& world, const SurfaceFace& face) {
+  std::array<EdgeId, 3> edges;
+  if (!world.tet_edges->is_quadratic(face.tet)) return edges;
+  int found = 0;
+  for (int edge = 0; edge < 6; ++edge)
+    if (kTetEdges[edge][0] != face.face && kTetEdges[edge][1] != face.face)
+      edges[found++] = world.tet_edges->of_tet[face.tet][edge];
+  return edges;
+}
+
+/// Adds `force` to each corner and edge of a face.
+void add_to_face(std::span<const NodeId> nodes, std::span<const EdgeId> edges, const Vec3& force,
+                 std::span<Vec3> forces, std::span<Vec3> edge_forces) {
+  for (const NodeId node : nodes) forces[node] += force;
+  for (const EdgeId edge : edges)
+    if (edge.valid()) edge_forces[edge] += force;
+}
+
+PressedFace pressed_face(const WorldState& world, const SurfaceFace& face, double pressure) {
+  return {face_nodes(world.mesh, face.tet, face.face), face_edges(world, face), pressure};
+}
+
 /// Returns the outward area vector of a face [m²] with its nodes at `positions`.
 Vec3 area_vector(std::span<const Vec3> positions, const std::array<NodeId, 3>& nodes) {
   const Vec3& origin = positions[nodes[0]];
   return 0.5 * (positions[nodes[1]] - origin).cross(positions[nodes[2]] - origin);
 }
 
-void add_point_force(const WorldState& world, const PlacedLoad& placed, double factor, std::vector<Vec3>& forces) {
+void add_point_force(const WorldState& world, const PlacedLoad& placed, double factor, ExternalForces& forces) {
   const Vec3 force = factor / static_cast<double>(placed.corners.size()) * placed.load.force;
-  for (const TetCorner& corner : placed.corners) forces[node_at(world.mesh->tets, corner)] += force;
+  for (const TetCorner& corner : placed.corners) forces.nodes[node_at(world.mesh->tets, corner)] += force;
 }
 
-void add_traction(const WorldState& world, const PlacedLoad& placed, double factor, std::vector<Vec3>& forces) {
+void add_traction(const WorldState& world, const PlacedLoad& placed, double factor, ExternalForces& forces) {
   for (const SurfaceFace& face : placed.faces) {
     const std::array<NodeId, 3> nodes = face_nodes(world.mesh, face.tet, face.face);
     const Vec3 force = factor * area_vector(world.mesh->rest_positions, nodes).norm() / 3 * placed.load.traction;
-    for (NodeId node : nodes) forces[node] += force;
+    add_to_face(nodes, face_edges(world, face), force, forces.nodes, forces.edges);
   }
 }
 
-void add_body_force(const WorldState& world, const PlacedLoad& placed, double factor, std::vector<Vec3>& forces) {
+void add_body_force(const WorldState& world, const PlacedLoad& placed, double factor, ExternalForces& forces) {
   for (TetId tet : placed.tets) {
     const double density = world.material_of(world.bodies[world.elements.bodies[tet]]).density;
     const Vec3 force = factor * density * world.elements.rest_elements[tet].volume / 4 * placed.load.acceleration;
-    for (NodeId node : world.mesh->tets[tet]) forces[node] += force;
+    for (NodeId node : world.mesh->tets[tet]) forces.nodes[node] += force;
   }
 }
 
-void add_dead_load(const WorldState& world, const PlacedLoad& placed, double factor, std::vector<Vec3>& forces) {
+void add_dead_load(const WorldState& world, const PlacedLoad& placed, double factor, ExternalForces& forces) {
   switch (placed.load.kind) {
     case LoadKind::point_force:
       return add_point_force(world, placed, factor, forces);
@@ -136,6 +160,18 @@ double load_factor(const Load& load, const TimeSpan& span) {
                last = std::clamp(span.to, load.start, full) - load.start;
   const double grown = load.ramp > 0 ? (last - first) * (last + first) / (2 * load.ramp) : 0;
   return (held + grown) / span.duration();
+}
+
+ExternalForces no_forces(const WorldState& world) {
+  return {std::vector<Vec3>(world.nodes.positions.size(), Vec3::Zero()),
+          std::vector<Vec3>(world.edges.offsets.size(), Vec3::Zero())};
+}
+
+ExternalForces weights(const WorldState& world) {
+  ExternalForces forces = no_forces(world);
+  for (std::size_t i = 0; i < forces.nodes.size(); ++i)
+    forces.nodes[i] = world.nodes.masses[i] * world.model->scene.gravity;
+  return forces;
 }
 
 bool changes_after(const Load& load, double time) {
@@ -186,19 +222,19 @@ std::vector<bool> strained_bodies(const WorldState& world, const TimeSpan& span)
   return strained;
 }
 
-void add_load_forces(const WorldState& world, const TimeSpan& span, std::vector<Vec3>& forces) {
+void add_load_forces(const WorldState& world, const TimeSpan& span, ExternalForces& forces) {
   add_dead_forces(world, span, forces);
   for (const std::vector<PressedFace>& faces : pressed_faces(world, span))
-    add_pressure(faces, world.nodes.positions, forces);
+    add_pressure(faces, world.nodes.positions, forces.nodes, forces.edges);
 }
 
-void add_load(const WorldState& world, const PlacedLoad& placed, double factor, std::vector<Vec3>& forces) {
+void add_load(const WorldState& world, const PlacedLoad& placed, double factor, ExternalForces& forces) {
   add_dead_load(world, placed, factor, forces);
   std::vector<PressedFace> pressed;
   if (placed.load.kind == LoadKind::pressure)
     for (const SurfaceFace& face : placed.faces)
-      pressed.push_back({face_nodes(world.mesh, face.tet, face.face), factor * placed.load.pressure});
-  add_pressure(pressed, world.nodes.positions, forces);
+      pressed.push_back(pressed_face(world, face, factor * placed.load.pressure));
+  add_pressure(pressed, world.nodes.positions, forces.nodes, forces.edges);
 }
 
 std::vector<std::vector<PressedFace>> pressed_faces(const WorldState& world, const TimeSpan& span) {
@@ -207,19 +243,20 @@ std::vector<std::vector<PressedFace>> pressed_faces(const WorldState& world, con
     const double pressure = load_factor(placed.load, span) * placed.load.pressure;
     if (pressure == 0) continue;
     for (const SurfaceFace& face : placed.faces)
-      faces[world.elements.bodies[face.tet]].push_back({face_nodes(world.mesh, face.tet, face.face), pressure});
+      faces[world.elements.bodies[face.tet]].push_back(pressed_face(world, face, pressure));
   }
   return faces;
 }
 
-void add_pressure(std::span<const PressedFace> faces, std::span<const Vec3> positions, std::span<Vec3> forces) {
+void add_pressure(std::span<const PressedFace> faces, std::span<const Vec3> positions, std::span<Vec3> forces,
+                  std::span<Vec3> edge_forces) {
   for (const PressedFace& face : faces) {
     const Vec3 force = -face.pressure / 3 * area_vector(positions, face.nodes);
-    for (NodeId node : face.nodes) forces[node] += force;
+    add_to_face(face.nodes, face.edges, force, forces, edge_forces);
   }
 }
 
-void add_dead_forces(const WorldState& world, const TimeSpan& span, std::vector<Vec3>& forces) {
+void add_dead_forces(const WorldState& world, const TimeSpan& span, ExternalForces& forces) {
   for (const PlacedLoad& placed : world.loads)
     if (const double factor = load_factor(placed.load, span); factor != 0) add_dead_load(world, placed, factor, forces);
 }

@@ -43,23 +43,36 @@ std::vector<bool> strained_bodies(const WorldState& world, const TimeSpan& span)
 /// Returns the bodies on which a load acts, ascending.
 std::vector<BodyId> bodies_under(const WorldState& world, const PlacedLoad& placed);
 
-/// Adds the forces of all loads at a moment, or their means over a span, to `forces`, per node [N]. Their sums are
-/// exact: a point force adds up to itself, a traction to itself times the undeformed area; a uniform pressure on a
-/// closed surface has no resultant. A face's load goes in equal parts to its corners, which keeps its torque too.
-void add_load_forces(const WorldState& world, const TimeSpan& span, std::vector<Vec3>& forces);
+/// External forces per node and per edge of the mesh [N].
+struct ExternalForces {
+  std::vector<Vec3> nodes, edges;
+};
+
+/// Adds the forces of all loads at a moment, or their means over a span, to `forces`. Their sums over nodes are exact:
+/// a point force adds up to itself, a traction to itself times the undeformed area; a uniform pressure on a closed
+/// surface has no resultant. A face's load goes in equal parts to its corners, which keeps its torque too. The edges of
+/// a quadratic tet's face get a third of it each, ∫ 4 LᵢLⱼ dA: they work on the edges' offsets, and a bar in tension
+/// has the same stress everywhere.
+void add_load_forces(const WorldState& world, const TimeSpan& span, ExternalForces& forces);
 /// Adds the forces of loads that do not depend on the positions: all but pressures.
-void add_dead_forces(const WorldState& world, const TimeSpan& span, std::vector<Vec3>& forces);
+void add_dead_forces(const WorldState& world, const TimeSpan& span, ExternalForces& forces);
 /// Adds `factor` times the forces of one load where the nodes are now.
-void add_load(const WorldState& world, const PlacedLoad& placed, double factor, std::vector<Vec3>& forces);
+void add_load(const WorldState& world, const PlacedLoad& placed, double factor, ExternalForces& forces);
+/// Returns no force on any node or edge.
+ExternalForces no_forces(const WorldState& world);
+/// Returns the weight of each node.
+ExternalForces weights(const WorldState& world);
 
 /// Face under pressure [Pa].
 struct PressedFace {
   std::array<NodeId, 3> nodes;
+  std::array<EdgeId, 3> edges;  ///< invalid ones of a linear tet
   double pressure = 0;
 };
 /// Returns, per body, the faces under pressure at a moment, or on average over a span.
 std::vector<std::vector<PressedFace>> pressed_faces(const WorldState& world, const TimeSpan& span);
-/// Adds their forces to `forces` [N] with the nodes at `positions`; both per node of the mesh.
-void add_pressure(std::span<const PressedFace> faces, std::span<const Vec3> positions, std::span<Vec3> forces);
+/// Adds their forces with the nodes at `positions`, per node and per edge of the mesh [N].
+void add_pressure(std::span<const PressedFace> faces, std::span<const Vec3> positions, std::span<Vec3> forces,
+                  std::span<Vec3> edge_forces);
 
 }  // namespace griffith

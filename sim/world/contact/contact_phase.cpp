@@ -244,9 +244,8 @@ void place_proxies(WorldState& world) {
   }
 }
 
-std::vector<Vec3> external_forces(const WorldState& world, double dt) {
-  std::vector<Vec3> forces(world.nodes.positions.size());
-  for (std::size_t i = 0; i < forces.size(); ++i) forces[i] = world.nodes.masses[i] * world.model->scene.gravity;
+ExternalForces external_forces(const WorldState& world, double dt) {
+  ExternalForces forces = weights(world);
   add_load_forces(world, {world.time, world.time + dt}, forces);
   return forces;
 }

@@ -8,8 +8,8 @@ namespace griffith {
 
 /// Moves the proxies to their bodies: after bodies move, so that impacts are predicted from the present places.
 void place_proxies(WorldState& world);
-/// Returns the external force on each node: gravity and the mean of the loads over the next substep of `dt` [s] [N].
-std::vector<Vec3> external_forces(const WorldState& world, double dt);
+/// Returns the external forces: gravity and the mean of the loads over the next substep of `dt` [s] [N].
+ExternalForces external_forces(const WorldState& world, double dt);
 /// Makes ballistic bodies elastic that an impact reaches within `duration` [s].
 void make_first_struck_elastic(WorldState& world, double duration);
 /// Finds all contacts within a substep of `dt` [s], and the bodies that are quasi-static in it.

@@ -158,6 +158,10 @@ NodeWorks works_of_nodes(const WorldState& world, const Body& body, const BodySn
     works.predicted += 0.5 * mass * predicted.squaredNorm();
     works.after += 0.5 * mass * world.edges.velocities[edge].squaredNorm();
     works.change += 0.5 * mass * (predicted - first).squaredNorm();
+    if (world.scratch.edge_loads.empty()) continue;
+    const Vec3 &load = world.scratch.edge_loads[edge], displacement = world.edges.offsets[edge] - before.offsets[i];
+    works.loads += load.dot(displacement);
+    works.beside += load.dot(dt * predicted - displacement);
   }
   return works;
 }
@@ -328,10 +332,12 @@ EnergyAccount spent_in_equilibrium(const WorldState& world, const Body& body, co
   for (NodeId node : body.system->supports())
     spent.supports += displacement_time * world.nodes.reactions[node].dot(world.nodes.constraints[node].velocity);
   if (world.loads.empty()) return spent;
-  std::vector<Vec3> loads(world.nodes.positions.size(), Vec3::Zero());
+  ExternalForces loads = no_forces(world);
   add_load_forces(world, world.time, loads);
   for (std::size_t i = 0; i < body.nodes.size(); ++i)
-    spent.loads += loads[body.nodes[i]].dot(world.nodes.positions[body.nodes[i]] - before.positions[i]);
+    spent.loads += loads.nodes[body.nodes[i]].dot(world.nodes.positions[body.nodes[i]] - before.positions[i]);
+  for (std::size_t i = 0; i < body.edges.size(); ++i)
+    spent.loads += loads.edges[body.edges[i]].dot(world.edges.offsets[body.edges[i]] - before.offsets[i]);
   return spent;
 }
 

@@ -125,6 +125,7 @@ void ExplicitRun::restore_bonds() {
       if (acting.opening < acting.critical) bond(known.face, i, acting);
     }
   }
+  contacts_->tie_edges(explicit_bodies_);
 }
 
 /// Lets the world know of the bonds that hold.

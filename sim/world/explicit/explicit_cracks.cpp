@@ -195,7 +195,9 @@ void ExplicitRun::check_overload() {
       open(overload);
     }
   }
-  if (world_.crack_events.size() > first_event && !rebuild_) drop_parted_bonds(first_event);
+  if (world_.crack_events.size() == first_event || rebuild_) return;
+  drop_parted_bonds(first_event);
+  contacts_->tie_edges(explicit_bodies_);
 }
 
 /// Takes a node that has been overloaded for long enough among those that open. `last_check`: before this one [s].
@@ -296,6 +298,8 @@ void ExplicitRun::follow_edges(std::span<const EdgeCopy> copies) {
       locals.push_back(explicit_bodies_.copy_edge(index, world_.edges.masses[copy]));
       local_of_edge_[copy] = locals.back();
       edges_.push_back(copy);
+      edge_starts_.push_back(Start(edge_starts_[index]));
+      for (ChangingLoad& changing : changing_loads_) copy_loaded(index, locals.back(), changing.edges);
     }
     explicit_bodies_.edge(index).inverse_mass = 1 / world_.edges.masses[original];
     explicit_bodies_.part_edge(index, locals, stars);
@@ -325,7 +329,7 @@ void ExplicitRun::follow(const Overload& overload, std::span<const NodeCopy> cop
       local_of_node_[copy] = locals.back();
       nodes_.push_back(copy);
       starts_.push_back(Start(starts_[index]));
-      copy_loads(index, locals.back());
+      for (ChangingLoad& changing : changing_loads_) copy_loaded(index, locals.back(), changing.nodes);
     }
     explicit_bodies_.node(index).inverse_mass = 1 / world_.nodes.masses[original];
     explicit_bodies_.part(index, locals, stars);

@@ -37,13 +37,16 @@ void ExplicitRun::add_external_works(EnergyAccount& spent) const {
   const bool scaled =
       std::ranges::any_of(bodies_, [&](BodyId id) { return world_.bodies[id].explicit_state->similarity < 1; });
   if (!scaled && world_.loads.empty()) return;
-  for (int i = 0; i < explicit_bodies_.node_count(); ++i) {
-    const Vec3 displacement = explicit_bodies_.position(i) - starts_[i].position;
-    const double mass = 1 / explicit_bodies_.node(i).inverse_mass;
-    if (!world_.loads.empty())
-      spent.loads += mass * (starts_[i].steady.whole - world_.model->scene.gravity).dot(displacement);
-    if (scaled) spent.scaling += mass * (starts_[i].steady.whole - starts_[i].steady.acting).dot(displacement);
-  }
+  const auto add = [&](const Start& start, double mass, const Vec3& weight, const Vec3& position) {
+    const Vec3 displacement = position - start.position;
+    if (!world_.loads.empty()) spent.loads += mass * (start.steady.whole - weight).dot(displacement);
+    if (scaled) spent.scaling += mass * (start.steady.whole - start.steady.acting).dot(displacement);
+  };
+  for (int i = 0; i < explicit_bodies_.node_count(); ++i)
+    add(starts_[i], 1 / explicit_bodies_.node(i).inverse_mass, world_.model->scene.gravity,
+        explicit_bodies_.position(i));
+  for (int i = 0; i < explicit_bodies_.edge_count(); ++i)
+    add(edge_starts_[i], 1 / explicit_bodies_.edge(i).inverse_mass, Vec3::Zero(), explicit_bodies_.edge_offset(i));
 }
 
 /// Begins with the forces of the first microstep.

@@ -19,10 +19,9 @@ Vec3 ExplicitRun::common_acceleration(const std::vector<NodeId>& nodes, const st
   return force / mass;
 }
 
-/// Returns gravity and the loads without further changes, per node of the mesh [N].
-std::vector<Vec3> ExplicitRun::steady_forces() const {
-  std::vector<Vec3> forces(world_.nodes.positions.size());
-  for (std::size_t i = 0; i < forces.size(); ++i) forces[i] = world_.nodes.masses[i] * world_.model->scene.gravity;
+/// Returns gravity and the loads without further changes.
+ExternalForces ExplicitRun::steady_forces() const {
+  ExternalForces forces = weights(world_);
   for (const PlacedLoad& placed : world_.loads)
     if (const double factor = load_factor(placed.load, time_); factor != 0 && !changes_after(placed.load, time_))
       add_load(world_, placed, factor, forces);
@@ -35,31 +34,35 @@ void ExplicitRun::add_changing_loads() {
   work_of_changing_loads_ = {};
   for (const PlacedLoad& placed : world_.loads) {
     if (!changes_after(placed.load, time_)) continue;
-    std::vector<Vec3> forces(world_.nodes.positions.size(), Vec3::Zero());
+    ExternalForces forces = no_forces(world_);
     add_load(world_, placed, 1, forces);
-    ChangingLoad& changing = changing_loads_.emplace_back(ChangingLoad{placed.load, 0, {}});
-    for (const BodyId id : bodies_) {
-      const Body& body = world_.bodies[id];
-      const double f = body.explicit_state->similarity;
-      const std::vector<NodeId> nodes = nodes_of(world_.mesh, body.tets);
-      const Vec3 common = common_acceleration(nodes, forces);
-      for (const NodeId node : nodes) {
-        const Vec3 whole = forces[node] / world_.nodes.masses[node], acting = common + f * (whole - common);
-        if (whole.isZero(0) && acting.isZero(0)) continue;
-        changing.nodes.push_back({local(node), {whole, acting}, explicit_bodies_.position(local(node))});
-      }
-    }
+    ChangingLoad& changing = changing_loads_.emplace_back(ChangingLoad{placed.load, 0, {}, {}});
+    for (const BodyId id : bodies_) add_changing_load(world_.bodies[id], forces, changing);
   }
 }
 
-/// Copies the loads of a node that a crack split.
-void ExplicitRun::copy_loads(int node, int copy) {
-  for (ChangingLoad& changing : changing_loads_) {
-    const auto loaded = std::ranges::find(changing.nodes, node, &Loaded::node);
-    if (loaded == changing.nodes.end()) continue;
-    const Loaded copied{copy, loaded->full, loaded->position};
-    changing.nodes.push_back(copied);
+void ExplicitRun::add_changing_load(const Body& body, const ExternalForces& forces, ChangingLoad& changing) const {
+  const double f = body.explicit_state->similarity;
+  const std::vector<NodeId> nodes = nodes_of(world_.mesh, body.tets);
+  const Vec3 common = common_acceleration(nodes, forces.nodes);
+  for (const NodeId node : nodes) {
+    const Vec3 whole = forces.nodes[node] / world_.nodes.masses[node], acting = common + f * (whole - common);
+    if (whole.isZero(0) && acting.isZero(0)) continue;
+    changing.nodes.push_back({local(node), {whole, acting}, explicit_bodies_.position(local(node))});
   }
+  for (const EdgeId edge : edges_of(world_.tet_edges, body.tets)) {
+    const Vec3 whole = forces.edges[edge] / world_.edges.masses[edge];
+    const int index = local_of_edge_[edge];
+    if (!whole.isZero(0)) changing.edges.push_back({index, {whole, f * whole}, explicit_bodies_.edge_offset(index)});
+  }
+}
+
+/// Copies the load of a node or edge that a crack split.
+void ExplicitRun::copy_loaded(int index, int copy, std::vector<Loaded>& loaded) {
+  const auto original = std::ranges::find(loaded, index, &Loaded::index);
+  if (original == loaded.end()) return;
+  const Loaded copied{copy, original->full, original->position};
+  loaded.push_back(copied);
 }
 
 /// Applies the mean of the loads over a span, that of the next kick, `drifted` [s] after the last kick.
@@ -69,7 +72,9 @@ void ExplicitRun::apply_loads(const TimeSpan& span, double drifted) {
     if (factor == changing.factor) continue;
     account_loads(changing, factor, drifted);
     for (const Loaded& loaded : changing.nodes)
-      explicit_bodies_.accelerate(loaded.node, (factor - changing.factor) * loaded.full.acting);
+      explicit_bodies_.accelerate(loaded.index, (factor - changing.factor) * loaded.full.acting);
+    for (const Loaded& loaded : changing.edges)
+      explicit_bodies_.accelerate_edge(loaded.index, (factor - changing.factor) * loaded.full.acting);
     changing.factor = factor;
   }
 }
@@ -77,15 +82,23 @@ void ExplicitRun::apply_loads(const TimeSpan& span, double drifted) {
 /// Accounts for the work of a load since its acting part changed last. A kick's force does work over half of the
 /// displacement before it and half of that after it, like all forces of microsteps (end_account()).
 void ExplicitRun::account_loads(ChangingLoad& changing, double next_factor, double drifted) {
-  for (Loaded& loaded : changing.nodes) {
-    const Vec3 position = explicit_bodies_.position(loaded.node);
-    const Vec3 displacement = changing.factor * (position - loaded.position) +
-                              0.5 * (next_factor - changing.factor) * drifted * explicit_bodies_.velocity(loaded.node);
-    const double mass = 1 / explicit_bodies_.node(loaded.node).inverse_mass;
-    work_of_changing_loads_.loads += mass * loaded.full.whole.dot(displacement);
-    work_of_changing_loads_.scaling += mass * (loaded.full.whole - loaded.full.acting).dot(displacement);
-    loaded.position = position;
-  }
+  const double further = 0.5 * (next_factor - changing.factor) * drifted;
+  for (Loaded& loaded : changing.nodes)
+    account_load(changing, 1 / explicit_bodies_.node(loaded.index).inverse_mass,
+                 explicit_bodies_.position(loaded.index), further * explicit_bodies_.velocity(loaded.index), loaded);
+  for (Loaded& loaded : changing.edges)
+    account_load(changing, 1 / explicit_bodies_.edge(loaded.index).inverse_mass,
+                 explicit_bodies_.edge_offset(loaded.index), further * explicit_bodies_.edge_velocity(loaded.index),
+                 loaded);
+}
+
+/// Accounts for the work of a load on a node or edge that has come to a position [m], and over a further motion [m].
+void ExplicitRun::account_load(const ChangingLoad& changing, double mass, const Vec3& position, const Vec3& further,
+                               Loaded& loaded) {
+  const Vec3 displacement = changing.factor * (position - loaded.position) + further;
+  work_of_changing_loads_.loads += mass * loaded.full.whole.dot(displacement);
+  work_of_changing_loads_.scaling += mass * (loaded.full.whole - loaded.full.acting).dot(displacement);
+  loaded.position = position;
 }
 
 /// True if one stops in the next microstep or did in the last.

@@ -34,11 +34,11 @@ ExplicitRun::ExplicitRun(WorldState& world, std::vector<explicit_dynamics::Obsta
 void ExplicitRun::build(std::vector<explicit_dynamics::Obstacle> obstacles) {
   explicit_bodies_ = {};
   bodies_.clear(), turns_.clear(), nodes_.clear(), tets_.clear(), surfaces_.clear(), overloaded_.clear();
-  starts_.clear(), edges_.clear();
+  starts_.clear(), edges_.clear(), edge_starts_.clear();
   local_of_edge_.assign(world_.edges.offsets.size(), -1);
   local_of_node_.assign(world_.nodes.positions.size(), -1);
   slot_of_tet_.assign(world_.mesh->tets.size(), -1);
-  const std::vector<Vec3> external = steady_forces();
+  const ExternalForces external = steady_forces();
   double size = 0;
   min_speed_ = std::numeric_limits<double>::infinity();
   for (Body& body : world_.bodies) {
@@ -61,11 +61,11 @@ void ExplicitRun::build(std::vector<explicit_dynamics::Obstacle> obstacles) {
   restore_bonds();
 }
 
-void ExplicitRun::add_body(const Body& body, const std::vector<Vec3>& external) {
+void ExplicitRun::add_body(const Body& body, const ExternalForces& external) {
   const std::vector<NodeId> nodes = nodes_of(world_.mesh, body.tets);
   const Placement placement = placement_of(world_, nodes);
-  add_nodes(nodes, placement, body.explicit_state->similarity, external);
-  add_edges(body);
+  add_nodes(nodes, placement, body.explicit_state->similarity, external.nodes);
+  add_edges(body, external);
   add_elements(body, placement.turn);
   bodies_.push_back(body.id);
   turns_.push_back(placement.turn);
@@ -89,13 +89,16 @@ void ExplicitRun::add_nodes(const std::vector<NodeId>& nodes, const Placement& p
   }
 }
 
-void ExplicitRun::add_edges(const Body& body) {
+void ExplicitRun::add_edges(const Body& body, const ExternalForces& external) {
   for (const EdgeId edge : edges_of(world_.tet_edges, body.tets)) {
     const auto& [a, b] = world_.tet_edges->ends[edge];
     const NodeConstraint constraint = constraint_between(world_.nodes.constraints[a], world_.nodes.constraints[b]);
+    const double mass = world_.edges.masses[edge];
+    const Vec3 whole = external.edges[edge] / mass, acting = body.explicit_state->similarity * whole;
     local_of_edge_[edge] = explicit_bodies_.add_edge(
-        {world_.edges.offsets[edge], world_.edges.velocities[edge], world_.edges.masses[edge], constraint.allowed});
+        {world_.edges.offsets[edge], world_.edges.velocities[edge], mass, constraint.allowed, acting});
     edges_.push_back(edge);
+    edge_starts_.push_back({world_.edges.offsets[edge], {whole, acting}});
   }
 }
 

@@ -60,15 +60,15 @@ class ExplicitRun {
   struct External {
     Vec3 whole = Vec3::Zero(), acting = Vec3::Zero();
   };
-  /// Initial position of a node, and the external accelerations that always act on it.
+  /// Initial position of a node, or offset of an edge, and the external accelerations that always act on it.
   struct Start {
     Vec3 position;  ///< [m]
     External steady;
   };
-  /// Effect of the full load on a node if the load has changes ahead, and the position of the node at the last change
-  /// of the acting part [m].
+  /// Effect of the full load on a node or an edge if the load has changes ahead, and the position of the node, or the
+  /// offset of the edge, at the last change of the acting part [m].
   struct Loaded {
-    int node = 0;
+    int index = 0;
     External full;
     Vec3 position;
   };
@@ -76,7 +76,7 @@ class ExplicitRun {
   struct ChangingLoad {
     Load load;
     double factor = 0;  ///< fraction that acts now
-    std::vector<Loaded> nodes;
+    std::vector<Loaded> nodes, edges;
   };
   struct Overload {
     double utilization = 0;
@@ -84,18 +84,21 @@ class ExplicitRun {
   };
 
   void build(std::vector<explicit_dynamics::Obstacle> obstacles);
-  void add_body(const Body& body, const std::vector<Vec3>& external);
+  void add_body(const Body& body, const ExternalForces& external);
   void add_nodes(const std::vector<NodeId>& nodes, const Placement& placement, double f,
                  const std::vector<Vec3>& external);
   Vec3 common_acceleration(const std::vector<NodeId>& nodes, const std::vector<Vec3>& forces) const;
-  std::vector<Vec3> steady_forces() const;
+  ExternalForces steady_forces() const;
   void add_changing_loads();
-  void copy_loads(int node, int copy);
+  void add_changing_load(const Body& body, const ExternalForces& forces, ChangingLoad& changing) const;
+  static void copy_loaded(int index, int copy, std::vector<Loaded>& loaded);
   void apply_loads(const TimeSpan& span, double drifted);
   void account_loads(ChangingLoad& changing, double next_factor, double drifted);
+  void account_load(const ChangingLoad& changing, double mass, const Vec3& position, const Vec3& further,
+                    Loaded& loaded);
   bool a_support_stops() const;
   void move_supports();
-  void add_edges(const Body& body);
+  void add_edges(const Body& body, const ExternalForces& external);
   void add_elements(const Body& body, const Mat3& turn);
   std::vector<explicit_dynamics::SurfaceSide> surface_of_bodies() const;
   void record_impacts();
@@ -156,7 +159,7 @@ class ExplicitRun {
   std::vector<TetId> stale_;
   std::vector<int> flagged_;
   Opened opened_;
-  std::vector<Start> starts_;  ///< per explicit node
+  std::vector<Start> starts_, edge_starts_;  ///< per explicit node and edge
   std::vector<ChangingLoad> changing_loads_;
   EnergyAccount work_of_changing_loads_;  ///< work in this build
   std::map<std::pair<NodeId, int>, std::size_t>

@@ -134,9 +134,12 @@ double unlimited_substep(const WorldState& world, double left) {
   return std::min(left, std::max({kShortest * time_step, time_step - left, time_to_follow(world), as_last_step}));
 }
 
-/// Returns the largest work of a step's microsteps [µs of a typical core].
+/// Returns the largest work of a step's microsteps [µs of a typical core]. Quadratic bodies cannot be scaled, so they
+/// are followed as far as linear ones of as many elements.
 double ceiling_of(const WorldState& world) {
-  return std::max(kLeastCeiling, 1e3 * kCeiling * world.model->scene.simulation.step_budget);
+  const double of_linear = std::max(kLeastCeiling, 1e3 * kCeiling * world.model->scene.simulation.step_budget);
+  const auto is_quadratic = [](const Body& body) { return body.explicit_state && !body.edges.empty(); };
+  return (std::ranges::any_of(world.bodies, is_quadratic) ? kQuadraticWork : 1) * of_linear;
 }
 
 double microsteps_left(const WorldState& world) {

@@ -15,9 +15,9 @@ namespace griffith {
 namespace {
 
 /// Adds a quadratic body's edges to a problem, which sets their offsets in the world.
-void add_edges(WorldState& world, const Body& body, StaticProblem& problem) {
+void add_edges(WorldState& world, const Body& body, std::span<const Vec3> loads, StaticProblem& problem) {
   std::vector<QuadraticState>& quadratic = world.elements.quadratic_states.edit();
-  problem.edges.emplace(StaticEdges{world.tet_edges, world.edges.offsets, quadratic});
+  problem.edges.emplace(StaticEdges{world.tet_edges, world.edges.offsets, quadratic, loads});
   problem.evaluate = [&world, &body, &quadratic, law = problem.law](std::span<const Vec3> positions,
                                                                     std::span<ElementState> states) {
     parallel_for(static_cast<int>(body.tets.size()), 512, [&](int begin, int end) {
@@ -33,7 +33,7 @@ void add_edges(WorldState& world, const Body& body, StaticProblem& problem) {
 }
 
 StaticProblem problem_of(WorldState& world, const Body& body, std::span<const NodeConstraint> displacements,
-                         std::span<const Vec3> loads, std::span<const PressedFace> pressed) {
+                         const ExternalForces& loads, std::span<const PressedFace> pressed) {
   const ElasticLaw law = elastic_law(world.material_of(body));
   const auto evaluate = [&world, &body, law](std::span<const Vec3> positions, std::span<ElementState> states) {
     const PlacedElements placed{law, world.mesh, world.elements.rest_elements, positions};
@@ -44,12 +44,13 @@ StaticProblem problem_of(WorldState& world, const Body& body, std::span<const No
           [&](TetId tet, const FourStates& found, int lane) { states[tet] = found.of(lane); });
     });
   };
-  StaticProblem problem{world.mesh, body.tets, world.elements.rest_elements, law, world.nodes.masses, displacements,
-                        loads,      evaluate};
-  if (!body.edges.empty()) add_edges(world, body, problem);
+  StaticProblem problem{world.mesh,  body.tets, world.elements.rest_elements, law, world.nodes.masses, displacements,
+                        loads.nodes, evaluate};
+  if (!body.edges.empty()) add_edges(world, body, loads.edges, problem);
   if (!pressed.empty())
-    problem.add_follower_loads = [pressed](std::span<const Vec3> positions, std::span<Vec3> forces) {
-      add_pressure(pressed, positions, forces);
+    problem.add_follower_loads = [pressed](std::span<const Vec3> positions, std::span<Vec3> forces,
+                                           std::span<Vec3> of_edges) {
+      add_pressure(pressed, positions, forces, of_edges);
     };
   return problem;
 }
@@ -104,8 +105,7 @@ void find_equilibrium(WorldState& world, double time, double displacement_time,
                       const std::function<bool(const Body&)>& concerns, const Monitor& monitor) {
   std::vector<NodeConstraint> displacements = world.nodes.constraints;
   for (NodeConstraint& constraint : displacements) constraint.velocity *= displacement_time;
-  std::vector<Vec3> loads(world.nodes.positions.size());
-  for (std::size_t i = 0; i < loads.size(); ++i) loads[i] = world.nodes.masses[i] * world.model->scene.gravity;
+  ExternalForces loads = weights(world);
   add_dead_forces(world, time, loads);
   const std::vector<std::vector<PressedFace>> pressed = pressed_faces(world, time);
   for (Body& body : world.bodies) {

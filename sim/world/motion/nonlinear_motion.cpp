@@ -25,7 +25,7 @@ class Deformation {
     const SubstepStart& start = world_.scratch.substep_start;
     const ElasticSystem& system = *body_.system;
     load_ = system.gather(start.velocities, start.edge_velocities) * masses().asDiagonal();
-    load_ += dt_ * system.gather(external) + system.gather(world_.scratch.contact_impulses);
+    load_ += dt_ * system.gather(external, world_.scratch.edge_loads) + system.gather(world_.scratch.contact_impulses);
     if (whole_.exists()) return remove_whole(load_);
     load_ -= system.gather(world_.nodes.velocities, world_.edges.velocities) * inertia_.asDiagonal();
   }

@@ -82,8 +82,11 @@ void publish(WorldState& world) {
   }
   world.output.contacts = merged_contacts(world, world.output.contacts);
   close_account(world, world.output.totals.elastic_energy);
-  world.output.load_forces.assign(world.loads.empty() ? 0 : world.nodes.positions.size(), Vec3::Zero());
-  if (!world.loads.empty()) add_load_forces(world, world.time, world.output.load_forces);
+  world.output.load_forces.clear();
+  if (world.loads.empty()) return;
+  ExternalForces forces = no_forces(world);
+  add_load_forces(world, world.time, forces);
+  world.output.load_forces = std::move(forces.nodes);
 }
 
 namespace {

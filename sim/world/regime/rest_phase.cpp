@@ -169,7 +169,7 @@ void join_substep(WorldState& world, Body& body, bool slept, double dt) {
   step.contact_work = 0;
   step.energy = mechanical_energy(world, body);
   assemble_system(world, body, dt);
-  if (slept) predict_velocities(world, body, external_forces(world, dt), dt);
+  if (slept) predict_velocities(world, body, external_forces(world, dt).nodes, dt);
 }
 
 void wake_disturbed_bodies(WorldState& world, double dt) {
