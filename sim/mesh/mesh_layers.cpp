@@ -1,5 +1,6 @@
 #include "sim/mesh/mesh_layers.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -67,6 +68,12 @@ std::vector<int> of_neighbors(const TetMesh& mesh, const std::vector<int>& layer
   return most;
 }
 
+double rest_area(const TetMesh& mesh, const SurfaceFace& face) {
+  const auto [a, b, c] = face_nodes(mesh, face.tet, face.face);
+  const std::vector<Vec3>& at = mesh.rest_positions;
+  return 0.5 * (at[b] - at[a]).cross(at[c] - at[a]).norm();
+}
+
 }  // namespace
 
 int layers_across(const TetMesh& mesh) {
@@ -86,6 +93,18 @@ int layers_across(const TetMesh& mesh) {
   for (std::size_t layers = 0; layers < volumes.size(); ++layers)
     if ((thin += volumes[layers]) > kThinnest * volume) return static_cast<int>(layers);
   return 0;
+}
+
+double slenderness(const TetMesh& mesh) {
+  if (mesh.tet_count() == 0) return 0;
+  double volume = 0, area = 0;
+  Eigen::AlignedBox3d box;
+  for (const TetId tet : IdRange<TetId>(0, mesh.tet_count())) {
+    volume += rest_volume(mesh, tet);
+    for (const NodeId node : mesh.tets[tet]) box.extend(mesh.rest_positions[node]);
+  }
+  for (const SurfaceFace& face : surface_faces(mesh)) area += rest_area(mesh, face);
+  return box.sizes().maxCoeff() * area / (2 * volume);
 }
 
 }  // namespace griffith

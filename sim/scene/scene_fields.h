@@ -214,7 +214,7 @@ void describe(Archive& archive, BodyDescription& body) {
   archive.field(
       "elements", body.elements, OneOf{{"auto", "linear", "quadratic"}},
       "Order of displacements in tetrahedra: linear ones are cheap, quadratic ones bend correctly where few lie across "
-      "the body; auto: quadratic where fewer than four lie across its thinnest part");
+      "the body; auto: quadratic if it is slender and fewer than four lie across its thinnest part");
   archive.field("remeshing", body.remeshing, Flag{},
                 "Cracks cut tetrahedra along their plane; false: they follow faces");
   archive.field("minimum_element_size", body.minimum_element_size, between(0, 1e6, "m"),

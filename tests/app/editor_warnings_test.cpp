@@ -6,9 +6,15 @@
 namespace griffith::app {
 namespace {
 
+Scene linear_starting_scene() {
+  Scene scene = starting_scene();
+  scene.bodies[0].elements = ElementOrder::linear;  // quadratic ones are not scaled
+  return scene;
+}
+
 class WarningsTest : public EditorTest {
  protected:
-  WarningsTest() : EditorTest(starting_scene()) { editor_.state().view.quality = PictureQuality::draft; }
+  WarningsTest() : EditorTest(linear_starting_scene()) { editor_.state().view.quality = PictureQuality::draft; }
 
   bool shows(const char* tag) const { return ui::find_tag(editor_.tags(), tag) != nullptr; }
 };

@@ -44,6 +44,15 @@ TEST(LayersAcross, AThinPartCounts) {
   EXPECT_EQ(layers_across(build_mesh(soup)), 1);
 }
 
+TEST(Slenderness, IsTheLengthOverTheMeanThickness) {
+  for (const BoxPattern pattern : kCubePatterns) {
+    EXPECT_NEAR(slenderness(build_mesh(make_box(Vec3::Ones(), Vec3::Ones() / 3, pattern))), 3, 1e-12);
+    const double plate = slenderness(build_mesh(make_box(Vec3(1, 1, 0.01), Vec3(0.25, 0.25, 0.01), pattern)));
+    EXPECT_NEAR(plate, 1 / 0.01 + 2, 1e-9);  // with its narrow sides
+  }
+  EXPECT_EQ(slenderness(TetMesh{}), 0);
+}
+
 TEST(LayersAcross, NoTetsHaveNone) { EXPECT_EQ(layers_across(TetMesh{}), 0); }
 
 }  // namespace

@@ -37,6 +37,7 @@ double gravity_deflection(const Scene& scene) {
 }
 
 void cut(Scene& scene, BoxPattern pattern, int cells_through_thickness) {
+  scene.bodies[0].elements = ElementOrder::linear;
   auto& box = std::get<BoxShape>(scene.bodies[0].shape);
   box.pattern = pattern;
   box.element_size = Vec3::Constant(box.size.y() / cells_through_thickness);

@@ -207,6 +207,7 @@ Scene struck_bar() {
   scene.simulation.step_budget = 1e5;
   BodyDescription bar;
   bar.shape = BoxShape{Vec3(1, 0.1, 0.1), Vec3::Constant(0.1), BoxPattern::five_tet};
+  bar.elements = ElementOrder::linear;  // quadratic ones are not scaled
   bar.material.tensile_strength = 1e6;  // so that the impact counts as potentially harmful
   bar.supports = {{HalfSpaceRegion{Vec3(-0.5, 0, 0), -Vec3::UnitX()}}};
   ProjectileBurst shot;

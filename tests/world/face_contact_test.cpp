@@ -89,6 +89,7 @@ struct Bars {
       BodyDescription bar;
       bar.name = side < 0 ? "left" : "right";
       bar.shape = BoxShape{Vec3(kLength, kWidth, kWidth), Vec3::Constant(kWidth / cells), BoxPattern::five_tet};
+      bar.elements = ElementOrder::linear;
       bar.position = Vec3(side * (kLength + kGap) / 2, side < 0 ? shifted : 0, 0);
       bar.velocity = Vec3(-side * kSpeed, 0, 0);
       bar.material = material;

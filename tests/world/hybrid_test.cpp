@@ -124,6 +124,7 @@ Scene struck_wall(Integrator integrator, int shot_number) {
   scene.simulation.integrator = integrator;
   BodyDescription wall;
   wall.shape = BoxShape{Vec3(2.5, 2, 0.25), Vec3(0.3125, 0.333, 0.25), BoxPattern::kuhn};
+  wall.elements = ElementOrder::linear;
   wall.position = Vec3(0, 1, 0);
   wall.material = *find_material_preset("brick");
   wall.material.young_modulus = 1e9;
@@ -155,7 +156,7 @@ TEST(Hybrid, DebrisThatSpinsBesideTheGroundCutsNoStepToPieces) {
     world.step();
     EXPECT_LE(world.frame().report.substeps, 16) << step;
   }
-  EXPECT_GT(world.frame().bodies.size(), 50u);
+  EXPECT_GT(world.frame().bodies.size(), 25u);
 }
 
 TEST(Hybrid, SlowImpactsAndRestNeedNoMicrosteps) {

@@ -333,6 +333,40 @@ TEST(QuadraticBody, KeepsMomentaAndEnergyExplicitly) {
   }
 }
 
+/// Largest deviation of the stress at any corner from a uniform one, over that.
+double deviation_from(const Frame& frame, const Mat3& stress) {
+  double largest = 0;
+  for (const QuadraticState& state : frame.elements.quadratic_states)
+    for (const ElementState& corner : state.corners)
+      largest = std::max(largest, (cauchy_stress(corner.frame, corner.stress) - stress).norm() / stress.norm());
+  return largest;
+}
+
+TEST(QuadraticLoads, TractionsAndPressuresGiveUniformStress) {
+  for (const BoxPattern pattern : {BoxPattern::five_tet, BoxPattern::kuhn, BoxPattern::bcc}) {
+    Scene scene = strip_scene({pattern, 1});
+    scene.bodies[0].supports.clear();
+    Scene squeezed = scene;
+    for (const double side : {-1.0, 1.0}) {
+      Load pull = tip_load({pattern, 1}, 0);
+      pull.region = end_of({pattern, 1}, side);
+      pull.traction = Vec3(side * 1e6, 0, 0);
+      scene.bodies[0].loads.push_back(pull);
+    }
+    World pulled(scene);
+    pulled.step();
+    EXPECT_LT(deviation_from(pulled.frame(), Vec3(1e6, 0, 0).asDiagonal()), 1e-4);
+    Load pressure;
+    pressure.kind = LoadKind::pressure;
+    pressure.region = HalfSpaceRegion{Vec3(-10, 0, 0), Vec3(1, 0, 0)};
+    pressure.pressure = 1e6;
+    squeezed.bodies[0].loads = {pressure};
+    World pressed(squeezed);
+    pressed.step();
+    EXPECT_LT(deviation_from(pressed.frame(), -1e6 * Mat3::Identity()), 1e-4);
+  }
+}
+
 TEST(AutomaticElements, AreQuadraticWhereFewLieAcross) {
   const auto choice_of = [](const Vec3& size, const Vec3& element_size, const auto& change) {
     Scene scene;
@@ -352,7 +386,7 @@ TEST(AutomaticElements, AreQuadraticWhereFewLieAcross) {
   const ElementChoice pane = choice_of(Vec3(1, 1, 0.02), Vec3(0.1, 0.1, 0.02), nothing);
   EXPECT_EQ(pane.order, ElementOrder::quadratic);
   EXPECT_EQ(text_of(pane), "quadratic, since 1 lies across its thinnest part");
-  const ElementChoice two = choice_of(Vec3(1, 1, 0.2), Vec3(0.1, 0.1, 0.1), nothing);
+  const ElementChoice two = choice_of(Vec3(1, 1, 0.1), Vec3(0.05, 0.05, 0.05), nothing);
   EXPECT_EQ(two.order, ElementOrder::quadratic);
   EXPECT_EQ(two.layers, 2);
   const ElementChoice cube = choice_of(Vec3(1, 1, 1), Vec3::Constant(0.25), nothing);
@@ -364,6 +398,12 @@ TEST(AutomaticElements, AreQuadraticWhereFewLieAcross) {
   const ElementChoice steel = choice_of(Vec3(1, 1, 0.02), Vec3(0.1, 0.1, 0.02),
                                         [](BodyDescription& body) { body.material.yield_strength = 1e8; });
   EXPECT_EQ(steel.order, ElementOrder::linear);
+  const ElementChoice block = choice_of(Vec3(0.2, 0.1, 0.06), Vec3(0.1, 0.1, 0.06), nothing);
+  EXPECT_EQ(text_of(block), "linear, since its length is only 6.3 times its mean thickness");
+  const ElementChoice rubber = choice_of(Vec3(1, 1, 0.02), Vec3(0.1, 0.1, 0.02), [](BodyDescription& body) {
+    body.material.young_modulus = 1e6, body.material.density = 1000;
+  });
+  EXPECT_EQ(text_of(rubber), "linear, since waves cross its soft material at only 32 m/s");
 }
 
 }  // namespace

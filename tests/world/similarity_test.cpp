@@ -28,6 +28,7 @@ Scene body_of(const Vec3& size, double element_size) {
   scene.simulation.time_step = 1.0 / 60;
   BodyDescription body;
   body.shape = BoxShape{size, Vec3::Constant(element_size), BoxPattern::five_tet};
+  body.elements = ElementOrder::linear;  // quadratic ones are not scaled
   body.material.tensile_strength = 1e6;
   scene.bodies = {body};
   return scene;

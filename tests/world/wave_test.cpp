@@ -46,6 +46,7 @@ Scene flyer_and_bar(int elements, double speed, double time_step) {
   Scene scene = weightless(time_step);
   BodyDescription bar;
   bar.shape = BoxShape{Vec3(kLength, 2 * size, 2 * size), Vec3::Constant(size), BoxPattern::five_tet};
+  bar.elements = ElementOrder::linear;  // steep fronts overshoot more with quadratic ones
   bar.material = bar_material(3e6);
   bar.position = Vec3(-kLength / 2, 0, 0);
   BodyDescription flyer = bar;
@@ -98,6 +99,7 @@ Scene pulsed_bar(double right, double left, double time_step) {
   Scene scene = weightless(time_step);
   BodyDescription bar;
   bar.shape = BoxShape{Vec3(kLength, 2 * kSize, 2 * kSize), Vec3::Constant(kSize), BoxPattern::five_tet};
+  bar.elements = ElementOrder::linear;
   bar.material = bar_material(3e6);
   bar.position = Vec3(-kLength / 2, 0, 0);
   for (const auto& [side, stress] : {std::pair(1.0, right), std::pair(-1.0, left)}) {
@@ -294,7 +296,9 @@ TEST(RunningCrack, CrossesAPlateAtAThirdOfTheRayleighSpeedAtAnyTimeStep) {
 TEST(RunningCrack, IsSlowedByDynamicSimilarityAsWavesAre) {
   const double rayleigh = rayleigh_speed(*find_material_preset("concrete"));
   for (const double time_step : {1.0 / 30, 1.0 / 60}) {
-    const RunningCrack crack = running_crack(notched_plate(1e6, time_step, 10));
+    Scene scene = notched_plate(1e6, time_step, 10);
+    scene.bodies[0].elements = ElementOrder::linear;  // quadratic ones are not scaled
+    const RunningCrack crack = running_crack(scene);
     EXPECT_LT(crack.factor, 1);
     EXPECT_GT(crack.speed, 0.2 * crack.factor * rayleigh) << time_step << " s";
     EXPECT_LT(crack.speed, 0.6 * crack.factor * rayleigh) << time_step << " s";

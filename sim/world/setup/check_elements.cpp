@@ -4,6 +4,7 @@
 #include <string>
 
 #include "sim/core/error.h"
+#include "sim/core/number_text.h"
 #include "sim/mesh/mesh_layers.h"
 
 namespace griffith {
@@ -39,16 +40,23 @@ void check_elements(const Scene& scene, int scene_body, ElementOrder order, cons
 }
 
 ElementChoice choose_elements(const Scene& scene, int scene_body, const TetMesh& mesh) {
-  constexpr int kEnough = 4;  // layers of linear elements that bend
+  constexpr int kEnough = 4;      // layers of linear elements that bend
+  constexpr double kSlender = 8;  // from here on, bending decides what a body does
+  constexpr double kSoft = 300;   // bar-wave speed below which impacts at 10 m/s strain a body by several percent [m/s]
   const BodyDescription& body = scene.bodies[scene_body];
   if (body.elements != ElementOrder::automatic) return {body.elements, false, 0, {}};
   ElementChoice choice{ElementOrder::linear, true, layers_across(mesh), {}};
-  const auto obstacle = obstacle_to_quadratic(body, body.material);
-  const bool is_thin = choice.layers < kEnough;
-  choice.order = is_thin && !obstacle ? ElementOrder::quadratic : ElementOrder::linear;
   choice.reason = std::to_string(choice.layers) + (choice.layers == 1 ? " lies" : " lie") + " across its thinnest part";
-  if (is_thin && obstacle)
+  if (choice.layers >= kEnough) return choice;
+  if (const double length = slenderness(mesh); length < kSlender) {
+    choice.reason = "its length is only " + rounded_text(length, 2) + " times its mean thickness";
+  } else if (const double speed = bar_wave_speed(body.material); speed < kSoft) {
+    choice.reason = "waves cross its soft material at only " + rounded_text(speed, 2) + " m/s";
+  } else if (const auto obstacle = obstacle_to_quadratic(body, body.material)) {
     choice.reason += std::string(", but quadratic ones cannot be combined with ") + obstacle->name;
+  } else {
+    choice.order = ElementOrder::quadratic;
+  }
   return choice;
 }
 
