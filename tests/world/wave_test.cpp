@@ -205,6 +205,7 @@ double arriving_fraction(Integrator integrator, double traction, double time_ste
   scene.simulation.fracture = false;
   BodyDescription bar;
   bar.shape = MeshFileShape{path};
+  bar.elements = ElementOrder::linear;
   bar.material = bar_material(1e6);
   const double speed = wave_speed(bar.material), duration = 0.5 / speed;
   Load pulse;
