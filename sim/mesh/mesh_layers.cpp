@@ -68,12 +68,6 @@ std::vector<int> of_neighbors(const TetMesh& mesh, const std::vector<int>& layer
   return most;
 }
 
-double rest_area(const TetMesh& mesh, const SurfaceFace& face) {
-  const auto [a, b, c] = face_nodes(mesh, face.tet, face.face);
-  const std::vector<Vec3>& at = mesh.rest_positions;
-  return 0.5 * (at[b] - at[a]).cross(at[c] - at[a]).norm();
-}
-
 }  // namespace
 
 int layers_across(const TetMesh& mesh) {
@@ -103,7 +97,8 @@ double slenderness(const TetMesh& mesh) {
     volume += rest_volume(mesh, tet);
     for (const NodeId node : mesh.tets[tet]) box.extend(mesh.rest_positions[node]);
   }
-  for (const SurfaceFace& face : surface_faces(mesh)) area += rest_area(mesh, face);
+  for (const SurfaceFace& face : surface_faces(mesh))
+    area += area_vector(mesh.rest_positions, face_nodes(mesh, face.tet, face.face)).norm();
   return box.sizes().maxCoeff() * area / (2 * volume);
 }
 

@@ -139,6 +139,11 @@ std::array<NodeId, 3> face_nodes(const TetMesh& mesh, TetId tet, int face) {
   return {corners[kTetFaces[face][0]], corners[kTetFaces[face][1]], corners[kTetFaces[face][2]]};
 }
 
+Vec3 area_vector(std::span<const Vec3> positions, const std::array<NodeId, 3>& nodes) {
+  const Vec3& origin = positions[nodes[0]];
+  return 0.5 * (positions[nodes[1]] - origin).cross(positions[nodes[2]] - origin);
+}
+
 int face_toward(const TetMesh& mesh, TetId tet, TetId other) {
   const auto& links = mesh.neighbors[tet];
   const auto found = std::find(links.begin(), links.end(), other);

@@ -34,6 +34,10 @@ int local_corner(const TetMesh& mesh, TetId tet, NodeId node);
 /// Returns the nodes of face i of a tet, counterclockwise seen from outside.
 std::array<NodeId, 3> face_nodes(const TetMesh& mesh, TetId tet, int face);
 
+/// Returns the area vector of a face with its nodes at `positions` (per node of the mesh [m]): half the cross product
+/// of two edges, outward with the nodes as face_nodes() [m²].
+Vec3 area_vector(std::span<const Vec3> positions, const std::array<NodeId, 3>& nodes);
+
 /// Returns the face (0..3) of `tet` toward its neighbor `other`; they must be linked.
 int face_toward(const TetMesh& mesh, TetId tet, TetId other);
 

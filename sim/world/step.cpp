@@ -53,8 +53,9 @@ void move(WorldState& world, double dt) {
   timed(ms.contact, [&] { find_contacts(world, dt); });
   record_substep_start(world, world.scratch);
   timed(ms.elasticity, [&] { assemble_systems(world, dt); });
-  const auto [external, edge_loads] = external_forces(world, dt);
-  world.scratch.edge_loads = edge_loads;
+  ExternalForces forces = external_forces(world, dt);
+  const std::vector<Vec3> external = std::move(forces.nodes);
+  world.scratch.edge_loads = std::move(forces.edges);
   timed(ms.elasticity, [&] { predict_velocities(world, external, dt); });
   timed(ms.contact, [&] { resolve_contacts(world, dt); });
   timed(ms.elasticity, [&] { move_bodies(world, external, dt); });

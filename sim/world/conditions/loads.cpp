@@ -5,6 +5,7 @@
 
 #include "sim/core/sort_unique.h"
 #include "sim/core/tet_edge_corners.h"
+#include "sim/mesh/topology.h"
 #include "sim/world/regime/regime_change.h"
 #include "sim/world/state/world_state.h"
 
@@ -97,12 +98,6 @@ void add_to_face(std::span<const NodeId> nodes, std::span<const EdgeId> edges, c
 
 PressedFace pressed_face(const WorldState& world, const SurfaceFace& face, double pressure) {
   return {face_nodes(world.mesh, face.tet, face.face), face_edges(world, face), pressure};
-}
-
-/// Returns the outward area vector of a face [m²] with its nodes at `positions`.
-Vec3 area_vector(std::span<const Vec3> positions, const std::array<NodeId, 3>& nodes) {
-  const Vec3& origin = positions[nodes[0]];
-  return 0.5 * (positions[nodes[1]] - origin).cross(positions[nodes[2]] - origin);
 }
 
 void add_point_force(const WorldState& world, const PlacedLoad& placed, double factor, ExternalForces& forces) {

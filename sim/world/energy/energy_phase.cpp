@@ -158,7 +158,6 @@ NodeWorks works_of_nodes(const WorldState& world, const Body& body, const BodySn
     works.predicted += 0.5 * mass * predicted.squaredNorm();
     works.after += 0.5 * mass * world.edges.velocities[edge].squaredNorm();
     works.change += 0.5 * mass * (predicted - first).squaredNorm();
-    if (world.scratch.edge_loads.empty()) continue;
     const Vec3 &load = world.scratch.edge_loads[edge], displacement = world.edges.offsets[edge] - before.offsets[i];
     works.loads += load.dot(displacement);
     works.beside += load.dot(dt * predicted - displacement);

@@ -58,10 +58,7 @@ double average_tension(const WorldState& world, const SeparationInput& input, Te
   separation.mean_tension = separation.stress;
   separation.averaging_radius = 0;
   if (separation.stress <= kWorthAveraging * strength) return separation.stress / strength;
-  TensionZone zone = tension_zone_at(world, zones, node);
-  // At a front, the stress at the corner of a quadratic tet is as large as the tet is small: that of the whole counts.
-  if (zone.parts.empty() && world.nodes.at_crack_front[node] != 0 && !body_at(world, node).edges.empty())
-    zone = star_zone(world.mesh, node);
+  const TensionZone zone = tension_zone_at(world, zones, node);
   if (zone.parts.empty() || tension <= 0) return separation.stress / strength;
   separation.averaging_radius = zone.radius;
   separation.mean_tension =
@@ -151,7 +148,11 @@ double fracture_energy_at(const WorldState& world, NodeId node, const Vec3& norm
 
 TensionZone tension_zone_at(const WorldState& world, TensionZones& zones, NodeId node) {
   const Body& body = body_at(world, node);
-  return zones.zone_of(node, characteristic_length(world.material_of(body)), body.depth);
+  TensionZone zone = zones.zone_of(node, characteristic_length(world.material_of(body)), body.depth);
+  // At a front, the stress at the corner of a quadratic tet is as large as the tet is small: that of the whole counts.
+  if (zone.parts.empty() && world.nodes.at_crack_front[node] != 0 && !body.edges.empty())
+    zone = star_zone(world.mesh, node);
+  return zone;
 }
 
 void evaluate_nodes(WorldState& world, const SeparationInput& input, std::span<const NodeId> nodes, bool averaged) {

@@ -105,8 +105,7 @@ SolveReport predict_elastic(WorldState& world, Body& body, std::vector<Vec3>& fo
   const Vec3 outer_torque = spins_freely ? wrench_of(world, body, forces).torque : Vec3(Vec3::Zero());
   if (body.supported() && !world.integrates_explicitly()) turn_forces_halfway(world, body, dt, forces);
   add_elastic_forces(world, body, forces, world.scratch);
-  if (!world.scratch.edge_loads.empty())
-    for (const EdgeId edge : body.edges) world.scratch.edge_forces[edge] += world.scratch.edge_loads[edge];
+  for (const EdgeId edge : body.edges) world.scratch.edge_forces[edge] += world.scratch.edge_loads[edge];
   if (spins_freely) remove_inner_torque(world, body, wrench_of(world, body, forces).torque - outer_torque, forces);
   if (world.integrates_explicitly()) {
     predict_explicitly(world, body, forces, dt);
