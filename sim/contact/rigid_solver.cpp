@@ -20,6 +20,8 @@ constexpr int kPushSweeps = 10;
 /// rows times sweeps. A group without memory must find all of its impulses.
 constexpr double kResidual = 1e-3;
 constexpr int kWork = 1'000, kMaxSweeps = 8, kColdWork = 60'000, kMaxColdSweeps = 200;
+/// Share of the remembered impulses below which a group counts as one without memory.
+constexpr double kUsefulShare = 0.5;
 /// Velocity change below which impacts are solved, as a fraction of the highest velocity, and their largest work.
 constexpr double kTolerance = 1e-6;
 constexpr int kImpactSweeps = 60, kMinImpactSweeps = 4, kImpactWork = 12'000;
@@ -50,7 +52,10 @@ class GroupStep {
     int sweeps = 0;
     for (int substep = 0; substep < kSubsteps; ++substep) {
       for (const int i : group_.bodies) accelerate(i);
-      rows_.for_each_block([&](Block& block) { start(block, substep * h_); });
+      if (substep == 0)
+        start_from_memory();
+      else
+        rows_.for_each_block([&](Block& block) { start(block, substep * h_); });
       sweeps += relax_all();
       for (const int i : group_.bodies) move(i);
     }
@@ -78,6 +83,53 @@ class GroupStep {
   void accelerate(int i) const {
     motions_[i].velocity += h_ * Triple(bodies_[i].acceleration);
     motions_[i].spin += h_ * Triple(bodies_[i].turning);
+  }
+
+  /// Applies the remembered impulses; only the share (0..1) of them that leaves the least energy if the whole would add
+  /// energy. Forces of an impact must not drive bodies apart: there may be too few sweeps to take them back.
+  void start_from_memory() {
+    const auto apply_all = [&] { rows_.for_each_block([&](Block& block) { start(block, 0); }); };
+    if (is_cold_) return apply_all();
+    for (Point& point : rows_.points) point.target = -std::max(point.distance, 0.0) / h_;
+    const double before = power_of_impulses();
+    apply_all();
+    const double after = power_of_impulses();
+    if (before + after <= 0) return;
+    const double share = std::clamp(-before / (after - before), 0.0, 1.0);
+    scale_impulses(share);
+    is_cold_ = share < kUsefulShare;
+  }
+
+  /// Returns the derivative of the energy of motion beyond the targets by a common factor of all impulses [J].
+  double power_of_impulses() const {
+    double sum = 0;
+    for (const Block& block : rows_.blocks)
+      for (int i = block.begin; i < block.end; ++i) {
+        const Point& point = rows_.points[i];
+        const Triple velocity = relative_velocity(motions_[block.a], motions_[block.b], point);
+        sum += point.normal * (dot(block.normal, velocity) - point.target) + point.first * dot(block.first, velocity) +
+               point.second * dot(block.second, velocity);
+      }
+    return sum;
+  }
+
+  void scale_impulses(double share) {
+    for (const Block& block : rows_.blocks)
+      for (int i = block.begin; i < block.end; ++i) {
+        Point& point = rows_.points[i];
+        const double x = (share - 1) * point.normal, y = (share - 1) * point.first, z = (share - 1) * point.second;
+        push_sides(block, point, x * block.normal + y * block.first + z * block.second);
+        point.normal += x, point.first += y, point.second += z;
+      }
+  }
+
+  static Triple relative_velocity(const Motion& a, const Motion& b, const Point& point) {
+    return a.velocity + cross(a.spin, point.arm_a) - b.velocity - cross(b.spin, point.arm_b);
+  }
+
+  void push_sides(const Block& block, const Point& point, const Triple& impulse) const {
+    if (motions_[block.a].moves) motions_[block.a].push(point.arm_a, impulse);
+    if (motions_[block.b].moves) motions_[block.b].push(point.arm_b, -impulse);
   }
 
   /// Sets the gaps, and applies the impulses of the last substep again, which count toward the step's.
@@ -143,9 +195,7 @@ class GroupStep {
         point.direction = Triple{point.normal, point.first, point.second} - point.before + more;
         if (dot(more, more) == 0) continue;
         point.normal += more.x, point.first += more.y, point.second += more.z;
-        const Triple impulse = more.x * block.normal + more.y * block.first + more.z * block.second;
-        if (motions_[block.a].moves) motions_[block.a].push(point.arm_a, impulse);
-        if (motions_[block.b].moves) motions_[block.b].push(point.arm_b, -impulse);
+        push_sides(block, point, more.x * block.normal + more.y * block.first + more.z * block.second);
       }
     return size;
   }
@@ -157,7 +207,7 @@ class GroupStep {
     double largest = 0;
     for (int i = block.begin; i < block.end; ++i) {
       Point& point = rows_.points[i];
-      const Triple velocity = a.velocity + cross(a.spin, point.arm_a) - b.velocity - cross(b.spin, point.arm_b);
+      const Triple velocity = relative_velocity(a, b, point);
       const double along = dot(block.normal, velocity) - point.target;
       if (point.normal == 0 && along >= 0) continue;
       const double next = std::max(0.0, point.normal - point.inverse_normal * along), change = next - point.normal;
