@@ -14,6 +14,7 @@
 #include "sim/world/explicit/similarity.h"
 #include "sim/world/motion/explicit_integration.h"
 #include "sim/world/motion/motion_phase.h"
+#include "sim/world/motion/turning.h"
 #include "sim/world/regime/regime_change.h"
 #include "sim/world/state/element_states.h"
 #include "sim/world/state/world_state.h"
@@ -69,30 +70,34 @@ void add_elastic_forces(const WorldState& world, const Body& body, std::vector<V
 
 namespace {
 
-/// Removes the torque of the elastic forces [N·m] from the forces on a free body. With F = R U, corotational stress is
-/// symmetric in the frame of R. If plastic strain and U have different axes, a torque remains that would let the body
-/// spin itself up. Forces on the edges of quadratic tets also have one, which their nodes balance.
-void remove_inner_torque(const WorldState& world, const Body& body, const Vec3& torque, std::vector<Vec3>& forces) {
-  const Vec3 spin = body.motion.inertia.inverse() * torque;
-  for (NodeId node : body.nodes)
-    forces[node] -= world.nodes.masses[node] * spin.cross(world.nodes.positions[node] - body.motion.center);
+/// Removes the torque of the elastic forces from the `forces` on a body that turns freely or about a pivot; `outer`:
+/// the other ones, per node of the body [N]. With F = R U, corotational stress is symmetric in the frame of R. If
+/// plastic strain and U have different axes, a torque remains that would let the body spin itself up. Forces on the
+/// edges of quadratic tets also have one, which their nodes balance.
+void remove_inner_torque(const WorldState& world, const Body& body, const NodeVectors& outer,
+                         std::vector<Vec3>& forces) {
+  const NodeVectors inner = of_nodes(body, forces) - outer;
+  Vec3 place = body.motion.center, spin = Vec3::Zero();
+  if (!body.supported()) {
+    for (std::size_t i = 0; i < body.nodes.size(); ++i)
+      spin += (world.nodes.positions[body.nodes[i]] - place).cross(inner.col(i));
+    spin = body.motion.inertia.inverse() * spin;
+  } else if (const auto pivot = pivot_of(world, body)) {
+    place = pivot->place;
+    spin =
+        swing_acceleration(*pivot, of_nodes(body, world.nodes.positions), masses_of(world, body), inner, Vec3::Zero());
+  }
+  for (const NodeId node : body.nodes)
+    forces[node] -= world.nodes.masses[node] * spin.cross(world.nodes.positions[node] - place);
 }
 
 /// Rotates the forces on a body that swings about a pivot to its orientation in the middle of a substep of `dt` [s].
 void turn_forces_halfway(const WorldState& world, const Body& body, double dt, std::vector<Vec3>& forces) {
   const auto pivot = pivot_of(world, body);
   if (!pivot) return;
-  const auto count = static_cast<Eigen::Index>(body.nodes.size());
-  NodeVectors positions(3, count), velocities(3, count), acting(3, count);
-  Eigen::VectorXd masses(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const NodeId node = body.nodes[i];
-    positions.col(i) = world.nodes.positions[node];
-    velocities.col(i) = world.nodes.velocities[node];
-    acting.col(i) = forces[node];
-    masses[i] = world.nodes.masses[node];
-  }
-  const Vec3 half_turn = 0.5 * dt * turning_about(*pivot, positions, velocities, masses).spin;
+  const NodeVectors positions = of_nodes(body, world.nodes.positions), acting = of_nodes(body, forces);
+  const Eigen::VectorXd masses = masses_of(world, body);
+  const Vec3 half_turn = 0.5 * dt * turning_of(world, body, *pivot).spin;
   const Vec3 change = swing_acceleration(*pivot, positions, masses, acting, half_turn) -
                       swing_acceleration(*pivot, positions, masses, acting, Vec3::Zero());
   for (NodeId node : body.nodes)
@@ -101,12 +106,11 @@ void turn_forces_halfway(const WorldState& world, const Body& body, double dt, s
 
 SolveReport predict_elastic(WorldState& world, Body& body, std::vector<Vec3>& forces, double dt) {
   const bool has_inner_torque = world.material_of(body).yield_strength || !body.edges.empty();
-  const bool spins_freely = !body.supported() && has_inner_torque;
-  const Vec3 outer_torque = spins_freely ? wrench_of(world, body, forces).torque : Vec3(Vec3::Zero());
   if (body.supported() && !world.integrates_explicitly()) turn_forces_halfway(world, body, dt, forces);
+  const NodeVectors outer = has_inner_torque ? of_nodes(body, forces) : NodeVectors();
   add_elastic_forces(world, body, forces, world.scratch);
   for (const EdgeId edge : body.edges) world.scratch.edge_forces[edge] += world.scratch.edge_loads[edge];
-  if (spins_freely) remove_inner_torque(world, body, wrench_of(world, body, forces).torque - outer_torque, forces);
+  if (has_inner_torque) remove_inner_torque(world, body, outer, forces);
   if (world.integrates_explicitly()) {
     predict_explicitly(world, body, forces, dt);
     return {};

@@ -11,6 +11,12 @@ void add_spin_to_edges(const Body& body, const Vec3& spin, EdgeArrays& edges) {
   for (const EdgeId edge : body.edges) edges.velocities[edge] += spin.cross(edges.offsets[edge]);
 }
 
+NodeVectors of_nodes(const Body& body, const std::vector<Vec3>& values) {
+  NodeVectors columns(3, body.nodes.size());
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) columns.col(i) = values[body.nodes[i]];
+  return columns;
+}
+
 Eigen::VectorXd masses_of(const WorldState& world, const Body& body) {
   Eigen::VectorXd masses(body.nodes.size());
   for (std::size_t i = 0; i < body.nodes.size(); ++i) masses[i] = world.nodes.masses[body.nodes[i]];
@@ -28,12 +34,6 @@ void turn_edges(const Body& body, const Vec3& spin, const Mat3& turn, double dt,
     offset = turn * (offset + dt * bending);
     velocity = turn * bending;
   }
-}
-
-NodeVectors of_nodes(const Body& body, const std::vector<Vec3>& values) {
-  NodeVectors columns(3, body.nodes.size());
-  for (std::size_t i = 0; i < body.nodes.size(); ++i) columns.col(i) = values[body.nodes[i]];
-  return columns;
 }
 
 }  // namespace

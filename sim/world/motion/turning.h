@@ -7,6 +7,8 @@
 
 namespace griffith {
 
+/// Returns the values of a body's nodes out of those per node of the mesh, a column each.
+NodeVectors of_nodes(const Body& body, const std::vector<Vec3>& values);
 /// Masses of a body's nodes [kg].
 Eigen::VectorXd masses_of(const WorldState& world, const Body& body);
 /// Returns the rotation of a body about its pivot.
