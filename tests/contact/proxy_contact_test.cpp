@@ -101,6 +101,26 @@ TEST(ProxyContact, AnAllowanceShrinksWithTheOverlap) {
   EXPECT_NEAR(world.max_penetration(), 0.01, 1e-4);
 }
 
+TEST(ProxyContact, AllowedOverlapsOnOppositeSidesDoNotClamp) {
+  ContactWorld world(Vec3::Zero());
+  constexpr double kOverlap = 1e-3;
+  const Vec3 size(1, 0.1, 1);
+  std::vector<ConvexPart> jaws;
+  for (const double side : {-1.0, 1.0})
+    for (Vec3 corner : box_part(size)) {
+      if (jaws.empty() || jaws.back().size() == 8) jaws.emplace_back();
+      jaws.back().push_back(corner + side * (size.y() - kOverlap) * Vec3::UnitY());
+    }
+  const ProxyId outer = world.add_proxy(jaws, box_mass(size, 10), Mobility::free, at(Vec3::Zero()), {0.5, 0});
+  const ProxyId inner =
+      world.add_proxy(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3::Zero(), Vec3(0, 0.1, 0)), {0.5, 0});
+  substep(world, {outer, inner}, kDt);
+  EXPECT_NEAR(world.state(inner).velocity.y(), 0.1, 1e-12);
+  for (int i = 0; i < 120; ++i) substep(world, {outer, inner}, kDt);
+  const Vec3 apart = world.state(inner).pose.translation - world.state(outer).pose.translation;
+  EXPECT_LT(apart.y(), 3 * kOverlap) << "it stays between the jaws";
+}
+
 TEST(ProxyContact, AHeldObjectActsWithItsVelocityAndKeepsIt) {
   ContactWorld world(Vec3::Zero());
   const Vec3 size(1, 1, 1);

@@ -99,6 +99,33 @@ void ContactWorld::Impl::list_contacts(double dt) {
   }
 }
 
+/// Drops the contacts from `first` on, of one pair, that overlap against one another. Pieces of jagged outlines have
+/// convex parts that overlap where they fit together. The shortest ways out of such overlaps lie on both sides: together
+/// they would clamp the pieces by forces that nothing limits.
+void ContactWorld::Impl::drop_opposing_overlaps(std::size_t first) {
+  constexpr double kOpposing = -0.7;  // cosine of the angle between normals
+  const std::span<const Contact> listed = std::span(contacts).subspan(first);
+  if (listed.empty() || allowance(listed.front().a, listed.front().b) == 0) return;
+  const auto opposes = [&](const Contact& one, const Contact& other) {
+    return other.distance < 0 && one.normal.dot(other.normal) < kOpposing;
+  };
+  std::vector<bool> drops(listed.size());
+  for (std::size_t i = 0; i < listed.size(); ++i)
+    drops[i] = listed[i].distance < 0 &&
+               std::ranges::any_of(listed, [&](const Contact& other) { return opposes(listed[i], other); });
+  std::size_t end = first;
+  for (std::size_t i = 0; i < drops.size(); ++i) {
+    if (drops[i]) {
+      remember_force(memories[first + i], Vec3::Zero());
+      continue;
+    }
+    contacts[end] = contacts[first + i];
+    memories[end++] = memories[first + i];
+  }
+  contacts.resize(end);
+  memories.resize(end);
+}
+
 /// Lists the points that are near, or come near within `dt` [s], at most four with much the same normal.
 void ContactWorld::Impl::list_pair(std::span<const Pair> of_pair, double dt) {
   const std::size_t first = contacts.size();
@@ -122,7 +149,9 @@ void ContactWorld::Impl::list_pair(std::span<const Pair> of_pair, double dt) {
       memories.push_back({pair.manifold, i});
     }
   }
-  if (of_pair.size() == 1 || contacts.size() - first <= 4) return;
+  if (of_pair.size() == 1) return;
+  drop_opposing_overlaps(first);
+  if (contacts.size() - first <= 4) return;
   const std::vector<int> kept = representative_contacts(std::span(contacts).subspan(first));
   std::size_t next = 0, end = first;
   for (std::size_t i = first; i < contacts.size(); ++i) {
