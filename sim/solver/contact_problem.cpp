@@ -18,6 +18,8 @@ namespace {
 
 /// Share of the tolerance that Newton's method may leave.
 constexpr double kNewtonFraction = 0.3;
+/// Share of the change of the rounds at which Newton's method for all of the law failed, below which it is tried again.
+constexpr double kRetry = 0.3;
 
 /// One round's convex problem and the rounds about it.
 class ContactSolver {
@@ -52,21 +54,23 @@ class ContactSolver {
 
   ContactSolveReport solve() {
     bool responded = false;
-    for (int round = 0; round < tolerance_.max_rounds; ++round) {
-      const Minimum found = minimize(round + 1 == tolerance_.max_rounds);
-      const RoundChanges changes = finish_round();
+    for (int round = 1;; ++round) {
+      const bool is_last = round >= tolerance_.max_rounds;
+      const Minimum found = minimize(is_last);
+      RoundChanges changes = finish_round();
       if (found == Minimum::none) report_.unconverged = static_cast<int>(contacts_.size());
-      if (stiffness_.empty()) {  // no factors: impulses would grow from round to round, and move nothing
-        impulses_.setZero();
-        break;
-      }
+      if (stiffness_.empty()) break;  // no factors: impulses would grow from round to round, and move nothing
       if (report_.unconverged == 0 && found == Minimum::exact) responded = respond();
       if (responded) break;
+      if (outer_change_ <= best_.outer_change) remember(changes);
+      if ((is_coupled_ || is_last) && outer_change_ > best_.outer_change) changes = go_back();
+      if (is_last) break;
       if (changes.hardens)
         lifts_ = changes.lifts;
       else
-        begin_round(changes);
+        begin_round(std::move(changes));
     }
+    if (report_.unconverged > 0) settle_for_impulses();
     if (!responded) respond();
     for (std::size_t i = 0; i < contacts_.size(); ++i) contacts_[i].impulse = impulses_.col(i);
     return report_;
@@ -101,6 +105,32 @@ class ContactSolver {
     bool hardens = false;     ///< contacts that carry are softer than they have to be
   };
 
+  /// State after the round that has changed least: Newton's method for all of the law may lead away from it.
+  struct Found {
+    Eigen::VectorXd y, a_y, lifts;
+    Eigen::Matrix3Xd u, beyond, impulses;
+    std::vector<double> softness, violations;
+    RoundChanges changes;
+    double outer_change = std::numeric_limits<double>::infinity();
+    int unconverged = 0;
+  };
+  void remember(const RoundChanges& changes) {
+    best_ = {
+        y_, a_y_, lifts_, u_, beyond_, impulses_, softness_, violations_, changes, outer_change_, report_.unconverged};
+  }
+  /// Restores that state. Returns the changes found there.
+  RoundChanges go_back() {
+    y_ = best_.y, a_y_ = best_.a_y, lifts_ = best_.lifts, u_ = best_.u, beyond_ = best_.beyond;
+    impulses_ = best_.impulses;
+    softness_ = best_.softness, violations_ = best_.violations;
+    outer_change_ = best_.outer_change;
+    report_.unconverged = best_.unconverged;
+    near_ = kRetry * outer_change_;
+    is_coupled_ = false;
+    linearize();
+    return best_.changes;
+  }
+
   /// Takes over the impulses found, and counts the contacts that do not meet their law yet.
   RoundChanges finish_round() {
     constexpr double kProgress = 0.25, kStiffening = 0.3;
@@ -133,7 +163,7 @@ class ContactSolver {
   /// slides goes on sliding. Near the solution lifts are found together with the sliding that they cause (Newton's
   /// method for all of the law); alone they converge slowly, or not at all, where shards rest on their corners.
   void begin_round(RoundChanges changes) {
-    constexpr double kNear = 0.1, kContracting = 0.7, kRetry = 0.3;
+    constexpr double kNear = 0.1, kContracting = 0.7;
     if (is_coupled_ && outer_change_ > kContracting * last_change_) near_ = kRetry * last_change_;
     is_coupled_ = outer_change_ < std::min(near_, kNear * to_change_);
     Eigen::VectorXd d = direction(impulses_on_bodies(changes.pushes));
@@ -191,6 +221,44 @@ class ContactSolver {
     const auto moved = static_cast<int>((change.colwise().norm().array() > negligible_speed()).count());
     report_.unconverged = std::max(report_.unconverged, moved);
     return report_.unconverged == 0;
+  }
+
+  /// Ends a solve that did not converge: bodies move as its impulses let them, of which the share remains that leaves
+  /// the least energy if the whole would add some.
+  void settle_for_impulses() {
+    follow_impulses();
+    double first = 0, second = 0;  // work of a share s: s first + s² second / 2
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      const Vec3 impulse = impulses_.col(i), free = contacts_[i].free_velocity;
+      first += impulse.dot(free) - impulse[0] * std::max(0.0, contacts_[i].target_velocity);
+      second += impulse.dot(u_.col(i) - free);
+    }
+    if (!(first + second / 2 > 0)) return;
+    const double share = std::clamp(-first / second, 0.0, 1.0);
+    impulses_ *= share;
+    y_ *= share;
+    a_y_ *= share;
+  }
+
+  /// Sets the changes of velocity to those by the impulses.
+  void follow_impulses() {
+    constexpr int kMost = 10;
+    stiffness_.assign(contacts_.size(), Mat3::Zero());
+    if (!preconditioner_.factor(stiffness_)) {
+      impulses_.setZero();
+      y_.setZero();
+      a_y_.setZero();
+      return;
+    }
+    for (int i = 0; i < kMost; ++i) {
+      Eigen::VectorXd missing = impulses_on_bodies(impulses_) - a_y_, a_d;
+      if (bodies_.speed_under(missing) <= kNewtonFraction * negligible_speed()) return;
+      const Eigen::VectorXd d = direction(std::move(missing));
+      bodies_.multiply(d, a_d);
+      y_ += d;
+      a_y_ += a_d;
+      u_ += motion_.of(d);
+    }
   }
 
   enum class Minimum { none, rough, exact };
@@ -285,8 +353,9 @@ class ContactSolver {
   Eigen::VectorXd lifts_;                // friction times sliding speed, of this round [m/s]
   std::vector<double> softness_;         // r of this round [1/kg]
   std::vector<ContactSoftness> course_;  // r over the rounds
-  Eigen::Matrix3Xd beyond_;              // velocities at contacts that condensed bodies have beyond those of y
-  std::vector<double> violations_;       // of the round before [m/s]
+  Found best_;
+  Eigen::Matrix3Xd beyond_;         // velocities at contacts that condensed bodies have beyond those of y
+  std::vector<double> violations_;  // of the round before [m/s]
   Eigen::Matrix3Xd impulses_now_;
   std::vector<Mat3> stiffness_;
   double outer_change_ = 0, last_change_ = 0;              // of velocities, by the last round and the one before [m/s]

@@ -99,26 +99,37 @@ TEST(ContactCone, DerivativeIsTheDifferenceQuotient) {
   }
 }
 
+struct RigidProblem {
+  std::vector<RigidInertia> bodies;
+  std::vector<FrictionContact> contacts;
+};
+
+RigidProblem random_problem(RandomValues& random) {
+  RigidProblem problem;
+  problem.bodies.resize(2 + random.index(4));
+  for (RigidInertia& body : problem.bodies) {
+    body.mass = std::pow(10, random.uniform(-2, 2));
+    const Mat3 turn = random.rotation();
+    body.inertia = body.mass * turn * Vec3(0.1, 0.2, 0.25).asDiagonal() * turn.transpose();
+  }
+  const auto random_body = [&] { return random.index(static_cast<int>(problem.bodies.size())); };
+  problem.contacts.resize(3 + random.index(10));
+  for (FrictionContact& contact : problem.contacts) {
+    contact.a = {.body = random_body(), .arm = random.vector()};
+    if (random.index(3) > 0) contact.b = {.body = random_body(), .arm = random.vector()};
+    if (contact.b.body == contact.a.body) contact.b.body = -1;
+    contact.axes = axes_of(random.direction());
+    contact.friction = random.uniform(0, 0.6);
+    contact.free_velocity = random.vector(2);
+    contact.target_velocity = random.index(2) == 0 ? 0 : -random.uniform(0, 1);
+  }
+  return problem;
+}
+
 TEST(ContactProblem, RandomRigidBodiesKeepTheLaws) {
   RandomValues random(3);
   for (int trial = 0; trial < 40; ++trial) {
-    std::vector<RigidInertia> bodies(2 + random.index(4));
-    for (RigidInertia& body : bodies) {
-      body.mass = std::pow(10, random.uniform(-2, 2));
-      const Mat3 turn = random.rotation();
-      body.inertia = body.mass * turn * Vec3(0.1, 0.2, 0.25).asDiagonal() * turn.transpose();
-    }
-    std::vector<FrictionContact> contacts(3 + random.index(10));
-    for (FrictionContact& contact : contacts) {
-      contact.a = {.body = random.index(static_cast<int>(bodies.size())), .arm = random.vector()};
-      if (random.index(3) > 0)
-        contact.b = {.body = random.index(static_cast<int>(bodies.size())), .arm = random.vector()};
-      if (contact.b.body == contact.a.body) contact.b.body = -1;
-      contact.axes = axes_of(random.direction());
-      contact.friction = random.uniform(0, 0.6);
-      contact.free_velocity = random.vector(2);
-      contact.target_velocity = random.index(2) == 0 ? 0 : -random.uniform(0, 1);
-    }
+    auto [bodies, contacts] = random_problem(random);
     std::vector<NodeVectors> changes;
     const ContactSolveReport report = solve_contact_problem({}, bodies, contacts, kExact, changes);
     if (report.unconverged > 0) continue;  // with random normals there may be no solution
@@ -127,6 +138,28 @@ TEST(ContactProblem, RandomRigidBodiesKeepTheLaws) {
       expect_laws(contact, contact.free_velocity + contact.axes.transpose() * change, 1e-5, 1e-4);
     }
   }
+}
+
+TEST(ContactProblem, WhatDoesNotConvergeAddsNoEnergy) {
+  RandomValues random(4);
+  int unconverged = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    auto [bodies, contacts] = random_problem(random);
+    for (FrictionContact& contact : contacts) contact.impulse = random.direction() * 10;  // of an earlier step
+    ContactTolerance few = kExact;
+    few.max_rounds = 1 + trial % 12;
+    few.max_newton_steps = 1 + trial % 5;
+    std::vector<NodeVectors> changes;
+    if (solve_contact_problem({}, bodies, contacts, few, changes).unconverged == 0) continue;
+    ++unconverged;
+    double work = 0;
+    for (const FrictionContact& contact : contacts) {
+      const Vec3 change = change_at(bodies, contacts, contact.a) - change_at(bodies, contacts, contact.b);
+      work += contact.impulse.dot(contact.free_velocity + 0.5 * contact.axes.transpose() * change);
+    }
+    EXPECT_LE(work, 1e-9) << "trial " << trial;
+  }
+  EXPECT_GT(unconverged, 50);
 }
 
 TEST(ContactProblem, ASlidingBlockIsSlowedByFrictionAlone) {
