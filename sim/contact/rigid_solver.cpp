@@ -20,8 +20,6 @@ constexpr int kPushSweeps = 10;
 /// rows times sweeps. A group without memory must find all of its impulses.
 constexpr double kResidual = 1e-3;
 constexpr int kWork = 1'000, kMaxSweeps = 8, kColdWork = 60'000, kMaxColdSweeps = 200;
-/// Share of the remembered impulses below which a group counts as one without memory.
-constexpr double kUsefulShare = 0.5;
 /// Velocity change below which impacts are solved, as a fraction of the highest velocity, and their largest work.
 constexpr double kTolerance = 1e-6;
 constexpr int kImpactSweeps = 60, kMinImpactSweeps = 4, kImpactWork = 12'000;
@@ -90,24 +88,23 @@ class GroupStep {
   void start_from_memory() {
     const auto apply_all = [&] { rows_.for_each_block([&](Block& block) { start(block, 0); }); };
     if (is_cold_) return apply_all();
-    for (Point& point : rows_.points) point.target = -std::max(point.distance, 0.0) / h_;
     const double before = power_of_impulses();
     apply_all();
     const double after = power_of_impulses();
     if (before + after <= 0) return;
     const double share = std::clamp(-before / (after - before), 0.0, 1.0);
     scale_impulses(share);
-    is_cold_ = share < kUsefulShare;
+    is_cold_ = share == 0;
   }
 
-  /// Returns the derivative of the energy of motion beyond the targets by a common factor of all impulses [J].
+  /// Returns the derivative of the energy of motion by a common factor of all impulses [J].
   double power_of_impulses() const {
     double sum = 0;
     for (const Block& block : rows_.blocks)
       for (int i = block.begin; i < block.end; ++i) {
         const Point& point = rows_.points[i];
         const Triple velocity = relative_velocity(motions_[block.a], motions_[block.b], point);
-        sum += point.normal * (dot(block.normal, velocity) - point.target) + point.first * dot(block.first, velocity) +
+        sum += point.normal * dot(block.normal, velocity) + point.first * dot(block.first, velocity) +
                point.second * dot(block.second, velocity);
       }
     return sum;

@@ -389,7 +389,7 @@ TEST(EnergyAccount, EverySceneCloses) {
       EXPECT_GT(frame.energy.turned_over(), 0) << file.path();
       EXPECT_LT(fraction_unaccounted(frame.energy), tolerance_of(scene)) << file.path();
       // Implicit steps take from one of these what they give to the other; overlaps of bodies at rest go at some work.
-      constexpr double kOverlaps = 0.02;  // [J]
+      constexpr double kOverlaps = 0.1;  // [J]
       EXPECT_GT(frame.energy.contacts + frame.energy.time_integration,
                 -kTolerance * frame.energy.turned_over() - kOverlaps)
           << file.path() << ": contacts add energy";

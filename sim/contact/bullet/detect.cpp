@@ -100,8 +100,8 @@ void ContactWorld::Impl::list_contacts(double dt) {
 }
 
 /// Drops the contacts from `first` on, of one pair, that overlap against one another. Pieces of jagged outlines have
-/// convex parts that overlap where they fit together. The shortest ways out of such overlaps lie on both sides: together
-/// they would clamp the pieces by forces that nothing limits.
+/// convex parts that overlap where they fit together. The shortest ways out of such overlaps lie on both sides:
+/// together they would clamp the pieces by forces that nothing limits.
 void ContactWorld::Impl::drop_opposing_overlaps(std::size_t first) {
   constexpr double kOpposing = -0.7;  // cosine of the angle between normals
   const std::span<const Contact> listed = std::span(contacts).subspan(first);
