@@ -245,6 +245,7 @@ void MicrostepContacts::list_candidates(const ExplicitBodies& bodies, double dis
     for (int i = begin; i < end; ++i) list_near_obstacle(bodies, obstacles_[i], surface, candidates_[i]);
   });
   list_pairs(bodies, surface.sides);
+  list_grounded();
   listed_until_ = travelled_ + margin_;
 }
 
@@ -287,6 +288,7 @@ void MicrostepContacts::resolve(ExplicitBodies& bodies, double dt, double min_sp
   for (int round = 0; round < kRounds && any; ++round) {
     any = false;
     for (const int index : order_) any |= push(bodies, touches_[index], dt, min_speed);
+    any |= stop_at_ground(dt);
   }
   if (!touches_.empty())
     travelled_ += std::max(0.0, dt * closing_speed(bodies) - displacement);  // impulses may throw objects back

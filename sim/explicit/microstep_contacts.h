@@ -92,6 +92,7 @@ class MicrostepContacts {
   double fractured() const { return fractured_; }
 
  private:
+  static constexpr double kNegligibleSpeed = 1e-9;  // slower approaches are rounding errors [m/s]
   /// Face of the surface. Points deeper behind it than half its tet do not count as behind it [m].
   struct Side : SurfaceSide {
     double deepest = 0;
@@ -144,6 +145,11 @@ class MicrostepContacts {
     std::vector<SampleAndSide> samples;  ///< samples by part and index
 
     bool empty() const { return sides.empty() && nodes.empty() && samples.empty(); }
+  };
+  /// Point of an obstacle near the ground.
+  struct GroundedPoint {
+    int obstacle = 0;
+    Vec3 sample = Vec3::Zero();  ///< in its own frame; unused for a sphere
   };
   struct NodeAndSide : Watched {
     int node = 0;
@@ -203,6 +209,9 @@ class MicrostepContacts {
   /// Reverts the part of the last motion that `impulse` would have prevented, for `time` [s] of it.
   void take_back(ExplicitBodies& bodies, const Touch& touch, const Vec3& impulse, double time);
   bool push(ExplicitBodies& bodies, Touch& touch, double dt, double min_speed);
+  void list_grounded();
+  bool stop_at_ground(double dt);
+  bool stop(Obstacle& obstacle, const Vec3& place, const Vec3& normal, double depth, double friction, double dt);
   void list_bonds(const ExplicitBodies& bodies);
   void hold_cracks(ExplicitBodies& bodies, double dt);
   void hold(ExplicitBodies& bodies, int first, int second, Bond& bond, double dt);
@@ -220,6 +229,7 @@ class MicrostepContacts {
   std::vector<SurfaceLaw> surfaces_;    ///< per explicit body
   std::vector<Candidates> candidates_;  ///< per obstacle
   std::vector<NodeAndSide> pairs_;      ///< nodes near sides of other bodies, by node
+  std::vector<GroundedPoint> grounded_;
   std::vector<Touch> touches_;
   std::vector<Found> found_;
   std::vector<int> order_;  ///< order of touches, the deepest first

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -42,6 +43,9 @@ struct Obstacle {
   double energy_gained = 0;  ///< work of impulses at the mean of its velocities before and after [J]
 
   bool is_sphere() const { return solids.empty(); }
+  bool is_ground() const { return std::isinf(radius); }
+  /// Returns the distance of a place from a solid of one face, the ground [m].
+  double gap_of(const Vec3& place) const { return solids.front().faces.front().distance(state.pose.to_local(place)); }
   Vec3 velocity_at(const Vec3& place) const {
     return state.velocity + state.angular_velocity.cross(place - state.pose.translation);
   }

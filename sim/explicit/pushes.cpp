@@ -6,9 +6,6 @@
 namespace griffith::explicit_dynamics {
 namespace {
 
-/// Slower approaches are rounding errors [m/s].
-constexpr double kNegligibleSpeed = 1e-9;
-
 Vec3 force_on(const ExplicitBodies& bodies, int node) {
   return bodies.acceleration(node) / bodies.node(node).inverse_mass;
 }

@@ -212,5 +212,42 @@ TEST(MicrostepContacts, BallsAmongManyTetsStrikeAsThoseAlone) {
   EXPECT_LT(pushed, 64);
 }
 
+/// A slab of 2 x 2 x 0.2 m that lies on the plane z = 0, of this mass [kg].
+std::vector<Obstacle> slab_on_ground(double mass) {
+  Obstacle ground, slab;
+  ground.radius = std::numeric_limits<double>::infinity();
+  ground.solids = {{{{Vec3::UnitZ(), 0}}, {}}};
+  std::vector<Vec3> corners;
+  for (int i = 0; i < 8; ++i) corners.emplace_back(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 0.1 : -0.1);
+  slab.solids = {convex_solid(convex_hull(corners), 0.5)};
+  slab.radius = corners[0].norm();
+  slab.inverse_mass = 1 / mass;
+  slab.inverse_inertia = 3 / mass * Mat3::Identity();
+  slab.state.pose.translation = Vec3(0, 0, 0.1 - 1e-7);
+  return {ground, slab};
+}
+
+TEST(MicrostepContacts, WhatLiesOnTheGroundIsNotPushedIntoIt) {
+  Tets tets;
+  Corners4 corners = kUpper;
+  for (Vec3& corner : corners) corner.z() += 0.2 - 1e-4;
+  tets.add(corners, Vec3(0, 0, -2));
+  tets.bodies.finish();
+  constexpr double kTime = 1e-6;
+  tets.bodies.set_step(kTime);
+  std::vector<int> flagged;
+  tets.bodies.compute_forces();
+  tets.bodies.advance(0, flagged);
+  const double before = tets.kinetic_energy();
+  MicrostepContacts impacts(tets.bodies, tets.surface, {}, slab_on_ground(100), tets.laws, 1);
+  for (int i = 0; i < 1000; ++i) impacts.resolve(tets.bodies, kTime, 0);
+  const RigidState& slab = impacts.obstacles()[1].state;
+  EXPECT_GT(slab.pose.translation.z(), 0.1 - 1e-6);
+  EXPECT_GT(slab.velocity.z(), -1e-6);
+  for (int corner = 0; corner < 3; ++corner) EXPECT_GT(tets.bodies.velocity(corner).z(), -1e-3) << "the ground carries";
+  EXPECT_NEAR(impacts.lost(tets.bodies, kTime), before - tets.kinetic_energy() - impacts.obstacles()[1].energy_gained,
+              1e-6 * before);
+}
+
 }  // namespace
 }  // namespace griffith::explicit_dynamics
