@@ -296,7 +296,7 @@ TEST(MeshSurface, RandomTrianglesAreMeshedOrRefused) {
   std::mt19937 random(21);
   std::uniform_real_distribution<double> uniform(-1, 1);
   int meshed = 0;
-  for (int sample = 0; sample < 60; ++sample) {
+  for (int sample = 0; sample < 20; ++sample) {
     TriangleSurface soup;
     const int points = 4 + static_cast<int>(random() % 12), triangles = 4 + static_cast<int>(random() % 60);
     for (int i = 0; i < points; ++i) soup.points.emplace_back(uniform(random), uniform(random), uniform(random));
@@ -312,7 +312,7 @@ TEST(MeshSurface, RandomTrianglesAreMeshedOrRefused) {
       EXPECT_THAT(error.what(), HasSubstr("surface: "));
     }
   }
-  EXPECT_GT(meshed, 10);
+  EXPECT_GT(meshed, 3);
 }
 
 TEST(MeshSurface, SurfacesOfTheScenesAreMeshed) {
