@@ -32,9 +32,16 @@ class EditorTest : public ::testing::Test {
       editor_.draw_picture(1);
       imgui_.begin_frame(target_.width(), target_.height());
       editor_.draw_panels(imgui_.fonts());
-      target_.bind();
-      imgui_.end_frame();
+      ImGui::Render();
     }
+  }
+
+  /// Returns the window as the last frame left it. Panels are painted here alone: by a software renderer they take most
+  /// of a frame's time.
+  render::Image window_image() {
+    target_.bind();
+    imgui_.end_frame();
+    return target_.image();
   }
 
   void click(const std::string& tag, int button = 0) {

@@ -110,7 +110,7 @@ TEST_F(EditorPlots, APictureOfThemIsSavedFromTheWindow) {
   ASSERT_TRUE(request);
   EXPECT_EQ(request->kind, ui::SavedKind::plots);
   draw(2);
-  editor_.files().save_window_picture(*request, target_.image(), editor_.tags(), "a test");
+  editor_.files().save_window_picture(*request, window_image(), editor_.tags(), "a test");
   const ui::WidgetTag* strips = ui::find_tag(editor_.tags(), "plots/strips");
   ASSERT_TRUE(strips) << "they are shown for it";
   const render::Image image = render::load_png(file);

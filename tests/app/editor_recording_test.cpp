@@ -86,7 +86,7 @@ TEST_F(EditorRecording, ABugReportHoldsTheWindowAndTheLog) {
   ASSERT_TRUE(request);
   EXPECT_FALSE(editor_.files().take_picture_request()) << "once";
   draw();
-  editor_.files().save_window_picture(*request, target_.image(), editor_.tags(), "a test");
+  editor_.files().save_window_picture(*request, window_image(), editor_.tags(), "a test");
   const Recording report = read_recording(file);
   EXPECT_THAT(report.extras.at("log.txt"), HasSubstr("warning: something odd"));
   EXPECT_TRUE(report.extras.at("screenshot.png").starts_with("\x89PNG"));

@@ -26,7 +26,7 @@ TEST_F(EditorTest, PausedPictureShowsAnEditedMaterial) {
   const ImVec2 middle = view->center();
   const auto brightness = [&] {
     draw(2);
-    const render::Image image = target_.image();
+    const render::Image image = window_image();
     const auto pixel = image.pixel(static_cast<int>(middle.x), static_cast<int>(middle.y));
     return pixel[0] + pixel[1] + pixel[2];
   };
