@@ -11,7 +11,6 @@ EXCEPT = ["docs/glossary.md", "tests/words.py"]
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 CODE = {".h", ".cpp", ".c", ".cs", ".js", ".py", ".pyi", ".frag", ".vert", ".glsl", ".script"}
 NAMED = {".h", ".cpp", ".c"}
-KEYS = {"unfinished_shocks"}  # names of counters in files
 OPENING = re.compile(r"(?:What|Whether|How|Of|of)\b")
 
 
@@ -108,7 +107,7 @@ def problems_of(text, name, rejected, rejected_names):
     for word in rejected_names.findall(snake_case(name)):
         problems.append(f"{name}: a file's name has a word rejected by docs/glossary.md: {word}")
     for number, found in names_of(text) if suffix in NAMED else []:
-        words = [] if found in KEYS else rejected_names.findall(snake_case(found))
+        words = rejected_names.findall(snake_case(found))
         problems += [f"{name}:{number}: {found} has a word rejected by docs/glossary.md: {word}" for word in words]
     return problems
 

@@ -27,7 +27,7 @@ constexpr FrameNumber kFrameNumbers[] = {
      [](const Frame& frame) { return frame.report.milliseconds.contact; }},
     {"milliseconds.elasticity", "Elasticity time", "ms",
      [](const Frame& frame) { return frame.report.milliseconds.elasticity; }},
-    {"milliseconds.shock", "Explicit dynamics time", "ms",
+    {"milliseconds.explicit", "Explicit dynamics time", "ms",
      [](const Frame& frame) { return frame.report.milliseconds.explicit_dynamics; }},
     {"milliseconds.separation", "Separation time", "ms",
      [](const Frame& frame) { return frame.report.milliseconds.separation; }},

@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<const char*, 7> kPhases = {"step",       "contact",  "elasticity", "shock",
+constexpr std::array<const char*, 7> kPhases = {"step",       "contact",  "elasticity", "explicit",
                                                 "separation", "fracture", "processor"};
 
 /// Returns the processor time of all threads so far [ms].

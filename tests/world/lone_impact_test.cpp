@@ -207,7 +207,7 @@ TEST(LoneImpact, ManyAtATimeCostWhatBreaks) {
     cracks += report.cracks;
     substeps += report.substeps;
     work += report.microstep_work;
-    EXPECT_EQ(report.unfinished_shocks, 0) << "step " << i;
+    EXPECT_EQ(report.unfinished_explicit, 0) << "step " << i;
   }
   EXPECT_GT(cracks, 50);
   EXPECT_LT(substeps, 1.5 * kSteps) << "impacts do not cut steps";

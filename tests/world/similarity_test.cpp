@@ -350,7 +350,7 @@ TEST(Similarity, AStepTakesNoMoreMicrostepsThanItsLimit) {
     add_step(report, total);
   }
   EXPECT_GT(total.microsteps, 1e4 * scene.simulation.step_budget) << "the next step goes on with them";
-  EXPECT_GT(total.unfinished_shocks, 0) << "and this is reported";
+  EXPECT_GT(total.unfinished_explicit, 0) << "and this is reported";
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ TEST(WorkCeiling, HoldsInEveryStepAndIsTold) {
     EXPECT_EQ(frame.report.non_finite_values, 0);
     add_step(frame.report, total);
   }
-  EXPECT_GT(total.unfinished_shocks, 0) << "the ceiling was reached";
+  EXPECT_GT(total.unfinished_explicit, 0) << "the ceiling was reached";
   EXPECT_GT(total.relieved_tets, 0);
 }
 
@@ -72,7 +72,7 @@ TEST(WorkCeiling, CutsNothingWhereTheBudgetIsLarge) {
   }
   EXPECT_GT(world.frame().crack_events.size(), 100u);
   EXPECT_GT(total.microstep_work, kCeiling) << "a small budget would have cut it short";
-  EXPECT_EQ(total.unfinished_shocks, 0);
+  EXPECT_EQ(total.unfinished_explicit, 0);
 }
 
 /// A substep that takes too much work is repeated, shorter, with the same bits.

@@ -110,7 +110,7 @@ class Frame:
     step_remeshing_refused: float
     step_supports_torn: float
     step_unfinished_equilibria: float
-    step_unfinished_shocks: float
+    step_unfinished_explicit: float
     step_unconverged_solves: float
     step_unconverged_motions: float
     step_unconverged_contacts: float

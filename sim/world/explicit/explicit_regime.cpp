@@ -106,7 +106,7 @@ void cancel_explicit(WorldState& world) {
   for (Body& body : world.bodies) {
     if (!body.explicit_state) continue;
     end_explicit(world, body);
-    ++world.report.unfinished_shocks;
+    ++world.report.unfinished_explicit;
     if (!body.supported()) stop_vibration(world, body);
   }
 }

@@ -32,10 +32,10 @@ constexpr StepCounter kCounters[] = {
     {"unfinished_equilibria", "Unfinished equilibria", "",
      "Cracks were still opening at the limit of substeps: raise impact_substeps of the scene.", kSum, kWarning,
      &StepReport::unfinished_equilibria},
-    {"unfinished_shocks", "Unfinished impacts", "",
+    {"unfinished_explicit", "Unfinished impacts", "",
      "Bodies in which waves were still running at the limit of a step: 20 times the work of step_budget, or 10,000 "
      "microsteps per millisecond of it. Raise it, or use larger elements or a shorter time step.",
-     kSum, kWarning, &StepReport::unfinished_shocks},
+     kSum, kWarning, &StepReport::unfinished_explicit},
     {"relieved_tets", "Relieved tetrahedra", "",
      "Largest number of slivers that kept only a part of their stiffness in microsteps.", kLargest, kNone,
      &StepReport::relieved_tets},
