@@ -77,7 +77,7 @@ struct StepReport {
   int remeshing_refused = 0;         ///< edges not cut: tets would have been too small or too flat
   int supports_torn = 0;             ///< cracks at which a support lost its hold
   int unfinished_equilibria = 0;     ///< static steps in which cracks were still opening at the limit of substeps
-  int unfinished_explicit = 0;         ///< bodies left to the implicit step, waves still running: too much work
+  int unfinished_explicit = 0;       ///< bodies left to the implicit step, waves still running: too much work
   int relieved_tets = 0;             ///< most at a time that kept a part of their stiffness alone in microsteps
   int solver_iterations = 0;         ///< most in any body and substep
   double max_relative_residual = 0;  ///< largest in any body and substep
