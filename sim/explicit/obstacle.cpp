@@ -13,11 +13,14 @@ ConvexSolid convex_solid(const ConvexHull& hull, double spacing) {
   solid.samples = hull.corners;
   std::set<std::pair<int, int>> edges;
   for (const std::vector<int>& face : hull.faces) {
+    if (face.size() < 3) continue;
     const Vec3 &a = hull.corners[face[0]], &b = hull.corners[face[1]], &c = hull.corners[face[2]];
     const Vec3 normal = (b - a).cross(c - a).normalized();
     solid.faces.push_back({normal, normal.dot(a)});
     for (std::size_t i = 0; i < face.size(); ++i) edges.insert(std::minmax(face[i], face[(i + 1) % face.size()]));
   }
+  if (solid.faces.empty())  // points in a line: nothing is behind them
+    solid.faces.push_back({Vec3::UnitY(), -std::numeric_limits<double>::infinity()});
   for (const auto& [first, second] : edges) {
     const Vec3 along = hull.corners[second] - hull.corners[first];
     const int parts = std::clamp(static_cast<int>(std::ceil(along.norm() / spacing)), 1, 16);

@@ -249,5 +249,13 @@ TEST(MicrostepContacts, WhatLiesOnTheGroundIsNotPushedIntoIt) {
               1e-6 * before);
 }
 
+TEST(MicrostepContacts, NothingIsInsideAHullOfPointsInALine) {
+  for (const int count : {1, 2, 5}) {
+    std::vector<Vec3> points;
+    for (int i = 0; i < count; ++i) points.emplace_back(i, 2 * i, 0);
+    EXPECT_GT(convex_solid(convex_hull(points), 1).outermost_face(Vec3(1, 2, 0)).first, 0) << count;
+  }
+}
+
 }  // namespace
 }  // namespace griffith::explicit_dynamics
