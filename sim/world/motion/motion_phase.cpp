@@ -98,10 +98,12 @@ void restore_whole(WorldState& world, const Body& body, const BodySnapshot& take
   }
   for (std::size_t i = 0; i < body.edges.size(); ++i) {
     world.edges.offsets[body.edges[i]] = taken.offsets[i];
-    world.edges.velocities[body.edges[i]].setZero();
   }
+  const std::optional<FreeMotion> motion = free_motion_of(world, body);
+  const Vec3 spin = motion ? motion->spin : Vec3::Zero();
   const std::function<Vec3(NodeId)> whole_velocity = rigid_velocity_of(world, body);
   for (NodeId node : body.nodes) world.nodes.velocities[node] = whole_velocity(node);
+  for (EdgeId edge : body.edges) world.edges.velocities[edge] = spin.cross(world.edges.offsets[edge]);
 }
 
 void move_nodes(WorldState& world, const Body& body, const std::vector<Vec3>& external, double dt) {
