@@ -79,10 +79,11 @@ std::optional<FreeMotion> free_motion_of(const WorldState& world, const Body& bo
   return std::nullopt;
 }
 
-/// Returns the part of a node's velocity that does not deform the body: its motion as a whole, its swinging, or the
-/// motion of its supports together.
-std::function<Vec3(NodeId)> rigid_velocity_of(const WorldState& world, const Body& body) {
-  if (const std::optional<FreeMotion> motion = free_motion_of(world, body))
+/// Returns the part of a node's velocity that does not deform a body with this motion as a whole; without one, that of
+/// its supports together.
+std::function<Vec3(NodeId)> rigid_velocity_of(const WorldState& world, const Body& body,
+                                              const std::optional<FreeMotion>& motion) {
+  if (motion)
     return [&world, motion = *motion](NodeId node) { return motion.velocity_at(world.nodes.positions[node]); };
   return [&world, carried = common_velocity(body.system->supports(), world.nodes.constraints)](NodeId node) {
     const NodeConstraint& constraint = world.nodes.constraints[node];
@@ -96,14 +97,8 @@ void restore_whole(WorldState& world, const Body& body, const BodySnapshot& take
     world.nodes.positions[body.nodes[i]] = taken.positions[i];
     world.nodes.velocities[body.nodes[i]] = taken.velocities[i];
   }
-  for (std::size_t i = 0; i < body.edges.size(); ++i) {
-    world.edges.offsets[body.edges[i]] = taken.offsets[i];
-  }
-  const std::optional<FreeMotion> motion = free_motion_of(world, body);
-  const Vec3 spin = motion ? motion->spin : Vec3::Zero();
-  const std::function<Vec3(NodeId)> whole_velocity = rigid_velocity_of(world, body);
-  for (NodeId node : body.nodes) world.nodes.velocities[node] = whole_velocity(node);
-  for (EdgeId edge : body.edges) world.edges.velocities[edge] = spin.cross(world.edges.offsets[edge]);
+  for (std::size_t i = 0; i < body.edges.size(); ++i) world.edges.offsets[body.edges[i]] = taken.offsets[i];
+  keep_whole_motion(world, body);
 }
 
 void move_nodes(WorldState& world, const Body& body, const std::vector<Vec3>& external, double dt) {
@@ -194,8 +189,9 @@ void restore_angular_momentum(WorldState& world, const Body& body, const BodySna
 }
 
 void keep_whole_motion(WorldState& world, const Body& body) {
-  const std::function<Vec3(NodeId)> whole_velocity = rigid_velocity_of(world, body);
-  const Vec3 spin = body.supported() ? Vec3(Vec3::Zero()) : motion_of(world, body).angular_velocity;
+  const std::optional<FreeMotion> motion = free_motion_of(world, body);
+  const std::function<Vec3(NodeId)> whole_velocity = rigid_velocity_of(world, body, motion);
+  const Vec3 spin = motion ? motion->spin : Vec3::Zero();
   for (NodeId node : body.nodes) world.nodes.velocities[node] = whole_velocity(node);
   for (EdgeId edge : body.edges) world.edges.velocities[edge] = spin.cross(world.edges.offsets[edge]);
 }
