@@ -50,10 +50,7 @@ class GroupStep {
     int sweeps = 0;
     for (int substep = 0; substep < kSubsteps; ++substep) {
       for (const int i : group_.bodies) accelerate(i);
-      if (substep == 0)
-        start_from_memory();
-      else
-        rows_.for_each_block([&](Block& block) { start(block, substep * h_); });
+      substep == 0 ? start_from_memory() : start_all(substep * h_);
       sweeps += relax_all();
       for (const int i : group_.bodies) move(i);
     }
@@ -86,10 +83,9 @@ class GroupStep {
   /// Applies the remembered impulses; only the share (0..1) of them that leaves the least energy if the whole would add
   /// energy. Forces of an impact must not drive bodies apart: there may be too few sweeps to take them back.
   void start_from_memory() {
-    const auto apply_all = [&] { rows_.for_each_block([&](Block& block) { start(block, 0); }); };
-    if (is_cold_) return apply_all();
+    if (is_cold_) return start_all(0);
     const double before = power_of_impulses();
-    apply_all();
+    start_all(0);
     const double after = power_of_impulses();
     if (before + after <= 0) return;
     const double share = std::clamp(-before / (after - before), 0.0, 1.0);
@@ -114,9 +110,9 @@ class GroupStep {
     for (const Block& block : rows_.blocks)
       for (int i = block.begin; i < block.end; ++i) {
         Point& point = rows_.points[i];
-        const double x = (share - 1) * point.normal, y = (share - 1) * point.first, z = (share - 1) * point.second;
-        push_sides(block, point, x * block.normal + y * block.first + z * block.second);
-        point.normal += x, point.first += y, point.second += z;
+        const Triple change = (share - 1) * Triple{point.normal, point.first, point.second};
+        push_sides(block, point, change);
+        point.normal += change.x, point.first += change.y, point.second += change.z;
       }
   }
 
@@ -124,9 +120,15 @@ class GroupStep {
     return a.velocity + cross(a.spin, point.arm_a) - b.velocity - cross(b.spin, point.arm_b);
   }
 
-  void push_sides(const Block& block, const Point& point, const Triple& impulse) const {
+  /// Applies an impulse along the axes of a block to its sides.
+  void push_sides(const Block& block, const Point& point, const Triple& along_axes) const {
+    const Triple impulse = along_axes.x * block.normal + along_axes.y * block.first + along_axes.z * block.second;
     if (motions_[block.a].moves) motions_[block.a].push(point.arm_a, impulse);
     if (motions_[block.b].moves) motions_[block.b].push(point.arm_b, -impulse);
+  }
+
+  void start_all(double time) {
+    rows_.for_each_block([&](Block& block) { start(block, time); });
   }
 
   /// Sets the gaps, and applies the impulses of the last substep again, which count toward the step's.
@@ -192,7 +194,7 @@ class GroupStep {
         point.direction = Triple{point.normal, point.first, point.second} - point.before + more;
         if (dot(more, more) == 0) continue;
         point.normal += more.x, point.first += more.y, point.second += more.z;
-        push_sides(block, point, more.x * block.normal + more.y * block.first + more.z * block.second);
+        push_sides(block, point, more);
       }
     return size;
   }
@@ -307,7 +309,7 @@ class GroupStep {
       point.total += point.force;
       point.normal = point.first = point.second = 0;
     }
-    rows_.for_each_block([&](Block& block) { start(block, dt_); });  // adds nothing to the totals now
+    start_all(dt_);  // adds nothing to the totals now
     double fastest = 0;
     for (Point& point : rows_.points) {
       if (!(point.restitution > 0) || !(point.total.x > 0)) continue;

@@ -288,7 +288,7 @@ void MicrostepContacts::resolve(ExplicitBodies& bodies, double dt, double min_sp
   for (int round = 0; round < kRounds && any; ++round) {
     any = false;
     for (const int index : order_) any |= push(bodies, touches_[index], dt, min_speed);
-    any |= stop_at_ground(dt);
+    any |= stop_at_ground(bodies, dt);
   }
   if (!touches_.empty())
     travelled_ += std::max(0.0, dt * closing_speed(bodies) - displacement);  // impulses may throw objects back

@@ -92,7 +92,6 @@ class MicrostepContacts {
   double fractured() const { return fractured_; }
 
  private:
-  static constexpr double kNegligibleSpeed = 1e-9;  // slower approaches are rounding errors [m/s]
   /// Face of the surface. Points deeper behind it than half its tet do not count as behind it [m].
   struct Side : SurfaceSide {
     double deepest = 0;
@@ -101,7 +100,7 @@ class MicrostepContacts {
   struct Touch {
     std::array<int, 3> nodes{};
     std::array<double, 3> weights{1, 0, 0};
-    int count = 3;        ///< number of nodes in use: three for a face, one for a single node
+    int count = 3;        ///< number of nodes in use: three for a face, one for a single node, none for the ground
     int obstacle = -1;    ///< index of the obstacle, or -1
     int other_node = -1;  ///< node of another body, or -1
     Vec3 place = Vec3::Zero(), normal = Vec3::UnitY();  ///< normal points from the bodies to the other
@@ -209,9 +208,9 @@ class MicrostepContacts {
   /// Reverts the part of the last motion that `impulse` would have prevented, for `time` [s] of it.
   void take_back(ExplicitBodies& bodies, const Touch& touch, const Vec3& impulse, double time);
   bool push(ExplicitBodies& bodies, Touch& touch, double dt, double min_speed);
+  const Obstacle& ground() const;
   void list_grounded();
-  bool stop_at_ground(double dt);
-  bool stop(Obstacle& obstacle, const Vec3& place, const Vec3& normal, double depth, double friction, double dt);
+  bool stop_at_ground(ExplicitBodies& bodies, double dt);
   void list_bonds(const ExplicitBodies& bodies);
   void hold_cracks(ExplicitBodies& bodies, double dt);
   void hold(ExplicitBodies& bodies, int first, int second, Bond& bond, double dt);

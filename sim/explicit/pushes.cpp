@@ -6,6 +6,9 @@
 namespace griffith::explicit_dynamics {
 namespace {
 
+/// Slower approaches are rounding errors [m/s].
+constexpr double kNegligibleSpeed = 1e-9;
+
 Vec3 force_on(const ExplicitBodies& bodies, int node) {
   return bodies.acceleration(node) / bodies.node(node).inverse_mass;
 }
@@ -28,7 +31,7 @@ double MicrostepContacts::mobility_of(const ExplicitBodies& bodies, const Touch&
 }
 
 double MicrostepContacts::friction_of(const ExplicitBodies& bodies, const Touch& touch) const {
-  const double own = surface_at(bodies, touch.nodes[0]).friction;
+  const double own = touch.count > 0 ? surface_at(bodies, touch.nodes[0]).friction : ground().friction;
   const double other =
       touch.obstacle >= 0 ? obstacles_[touch.obstacle].friction : surface_at(bodies, touch.other_node).friction;
   return std::sqrt(own * other);

@@ -63,8 +63,10 @@ class ContactSolver {
       if (report_.unconverged == 0 && found == Minimum::exact) responded = respond();
       if (responded) break;
       if (outer_change_ <= best_.outer_change) remember(changes);
-      if ((is_coupled_ || is_last) && outer_change_ > best_.outer_change) changes = go_back();
+      const bool goes_back = (is_coupled_ || is_last) && outer_change_ > best_.outer_change;
+      if (goes_back) changes = go_back();
       if (is_last) break;
+      if (goes_back) linearize();
       if (changes.hardens)
         lifts_ = changes.lifts;
       else
@@ -127,7 +129,6 @@ class ContactSolver {
     report_.unconverged = best_.unconverged;
     near_ = kRetry * outer_change_;
     is_coupled_ = false;
-    linearize();
     return best_.changes;
   }
 
@@ -255,9 +256,7 @@ class ContactSolver {
       if (bodies_.speed_under(missing) <= kNewtonFraction * negligible_speed()) return;
       const Eigen::VectorXd d = direction(std::move(missing));
       bodies_.multiply(d, a_d);
-      y_ += d;
-      a_y_ += a_d;
-      u_ += motion_.of(d);
+      advance_solution(1, d, a_d, motion_.of(d));
     }
   }
 
@@ -333,10 +332,15 @@ class ContactSolver {
     };
     const double step = zero_of(slope);
     if (!(step > 0)) return false;
+    advance_solution(step, d, a_d, moved);
+    return true;
+  }
+
+  void advance_solution(double step, const Eigen::VectorXd& d, const Eigen::VectorXd& a_d,
+                        const Eigen::Matrix3Xd& moved) {
     y_ += step * d;
     a_y_ += step * a_d;
     u_ += step * moved;
-    return true;
   }
 
   static double square(double x) { return x * x; }

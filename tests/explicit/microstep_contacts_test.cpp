@@ -39,6 +39,14 @@ struct Tets {
     laws.push_back({bodies.body_count() - 1, 0.3});
     return slot;
   }
+  /// Begins microsteps of `dt` [s], to be called once all are added.
+  void begin(double dt) {
+    bodies.finish();
+    bodies.set_step(dt);
+    std::vector<int> flagged;
+    bodies.compute_forces();
+    bodies.advance(0, flagged);
+  }
   Vec3 momentum() const {
     Vec3 sum = Vec3::Zero();
     for (int i = 0; i < bodies.node_count(); ++i) sum += bodies.velocity(i) / bodies.node(i).inverse_mass;
@@ -88,12 +96,8 @@ std::vector<Vec3> velocities_after(std::span<const Pair> pairs, bool cracked, do
     tets.laws.back().family = tets.laws[tets.laws.size() - 2].family;
     cracks.push_back({lower, upper, {0, 2, 1}, {0, 1, 2}});
   }
-  tets.bodies.finish();
   const double dt = 1e-9;
-  tets.bodies.set_step(dt);
-  std::vector<int> flagged;
-  tets.bodies.compute_forces();
-  tets.bodies.advance(0, flagged);
+  tets.begin(dt);
   const double energy = tets.kinetic_energy();
   const Vec3 momentum = tets.momentum();
   MicrostepContacts impacts(tets.bodies, tets.surface, cracks, {}, tets.laws, 1);
@@ -143,11 +147,7 @@ TEST(MicrostepContacts, SidesOfACrackThatCloseStopEachOther) {
   for (Vec3& corner : upper) corner.z() -= 1e-4;
   const int first = tets.add(kLower, Vec3(0, 0, 1)), second = tets.add(upper, Vec3(0, 0, -2));
   tets.laws[1].family = tets.laws[0].family;
-  tets.bodies.finish();
-  tets.bodies.set_step(1e-9);
-  std::vector<int> flagged;
-  tets.bodies.compute_forces();
-  tets.bodies.advance(0, flagged);
+  tets.begin(1e-9);
   const std::vector<CrackSides> crack = {{first, second, {0, 2, 1}, {0, 1, 2}}};
   MicrostepContacts impacts(tets.bodies, tets.surface, crack, {}, tets.laws, 1);
   impacts.resolve(tets.bodies, 1e-9, 0);
@@ -180,11 +180,7 @@ std::vector<Vec3> struck(std::span<const Vec3> places, std::span<const Vec3> off
     tets.add(corners, Vec3::Zero());
     balls.push_back(ball_below(places[i] + offsets[i]));
   }
-  tets.bodies.finish();
-  tets.bodies.set_step(1e-9);
-  std::vector<int> flagged;
-  tets.bodies.compute_forces();
-  tets.bodies.advance(0, flagged);
+  tets.begin(1e-9);
   MicrostepContacts impacts(tets.bodies, tets.surface, {}, std::move(balls), tets.laws, 1);
   impacts.resolve(tets.bodies, 1e-9, 0);
   std::vector<Vec3> velocities;
@@ -232,12 +228,8 @@ TEST(MicrostepContacts, WhatLiesOnTheGroundIsNotPushedIntoIt) {
   Corners4 corners = kUpper;
   for (Vec3& corner : corners) corner.z() += 0.2 - 1e-4;
   tets.add(corners, Vec3(0, 0, -2));
-  tets.bodies.finish();
   constexpr double kTime = 1e-6;
-  tets.bodies.set_step(kTime);
-  std::vector<int> flagged;
-  tets.bodies.compute_forces();
-  tets.bodies.advance(0, flagged);
+  tets.begin(kTime);
   const double before = tets.kinetic_energy();
   MicrostepContacts impacts(tets.bodies, tets.surface, {}, slab_on_ground(100), tets.laws, 1);
   for (int i = 0; i < 1000; ++i) impacts.resolve(tets.bodies, kTime, 0);

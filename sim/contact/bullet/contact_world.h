@@ -219,6 +219,7 @@ struct ContactWorld::Impl : contact::ContactState {
   void list_contacts(double dt);
   void list_pair(std::span<const contact::Pair> of_pair, double dt);
   void drop_opposing_overlaps(std::size_t first);
+  void drop_contacts(std::size_t first, const std::vector<bool>& drops);
   void inherit_forces();
   void inherit_forces(std::size_t first, std::size_t end);
   void replace_contacts(const std::vector<bool>& taken_out, std::span<const Contact> put_in);

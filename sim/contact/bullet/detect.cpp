@@ -113,14 +113,19 @@ void ContactWorld::Impl::drop_opposing_overlaps(std::size_t first) {
   for (std::size_t i = 0; i < listed.size(); ++i)
     drops[i] = listed[i].distance < 0 &&
                std::ranges::any_of(listed, [&](const Contact& other) { return opposes(listed[i], other); });
+  drop_contacts(first, drops);
+}
+
+/// Drops the contacts from `first` on for which `drops` is true; their points carry nothing any more.
+void ContactWorld::Impl::drop_contacts(std::size_t first, const std::vector<bool>& drops) {
   std::size_t end = first;
-  for (std::size_t i = 0; i < drops.size(); ++i) {
-    if (drops[i]) {
-      remember_force(memories[first + i], Vec3::Zero());
+  for (std::size_t i = first; i < contacts.size(); ++i) {
+    if (drops[i - first]) {
+      remember_force(memories[i], Vec3::Zero());
       continue;
     }
-    contacts[end] = contacts[first + i];
-    memories[end++] = memories[first + i];
+    contacts[end] = contacts[i];
+    memories[end++] = memories[i];
   }
   contacts.resize(end);
   memories.resize(end);
@@ -152,19 +157,9 @@ void ContactWorld::Impl::list_pair(std::span<const Pair> of_pair, double dt) {
   if (of_pair.size() == 1) return;
   drop_opposing_overlaps(first);
   if (contacts.size() - first <= 4) return;
-  const std::vector<int> kept = representative_contacts(std::span(contacts).subspan(first));
-  std::size_t next = 0, end = first;
-  for (std::size_t i = first; i < contacts.size(); ++i) {
-    if (next == kept.size() || first + kept[next] != i) {
-      remember_force(memories[i], Vec3::Zero());
-      continue;
-    }
-    ++next;
-    contacts[end] = contacts[i];
-    memories[end++] = memories[i];
-  }
-  contacts.resize(end);
-  memories.resize(end);
+  std::vector<bool> drops(contacts.size() - first, true);
+  for (const int kept : representative_contacts(std::span(contacts).subspan(first))) drops[kept] = false;
+  drop_contacts(first, drops);
 }
 
 /// True if a gap is small or closes within `dt` [s], even if something stops one of the two objects. Approaches that
@@ -183,17 +178,7 @@ bool ContactWorld::Impl::is_near(const Pair& pair, const Contact& contact, doubl
 
 void ContactWorld::Impl::replace_contacts(const std::vector<bool>& taken_out, std::span<const Contact> put_in) {
   assert(taken_out.size() == contacts.size());
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (taken_out[i]) {
-      remember_force(memories[i], Vec3::Zero());
-      continue;
-    }
-    contacts[kept] = contacts[i];
-    memories[kept++] = memories[i];
-  }
-  contacts.resize(kept);
-  memories.resize(kept);
+  drop_contacts(0, taken_out);
   for (const Contact& contact : put_in) {
     NodeContact added{contact.a, contact.b, contact.node_a, contact.node_b, contact.position};
     const auto past = std::ranges::lower_bound(past_node_contacts, added.key(), std::ranges::less(), &NodeContact::key);
