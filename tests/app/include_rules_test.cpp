@@ -147,6 +147,18 @@ TEST(IncludeRules, LowerFoldersOfTheSimulationKnowNoHigherOnes) {
       });
 }
 
+/// Tests of a part of the world lie in the folder of its name.
+TEST(IncludeRules, FoldersOfTheWorldsTestsMirrorIt) {
+  const fs::path root = GRIFFITH_SOURCE_DIR;
+  int folders = 0;
+  for (const auto& entry : fs::directory_iterator(root / "tests/world")) {
+    if (!entry.is_directory()) continue;
+    ++folders;
+    EXPECT_TRUE(fs::is_directory(root / "sim/world" / entry.path().filename())) << entry.path();
+  }
+  EXPECT_GT(folders, 10);
+}
+
 TEST(IncludeRules, LowerFoldersOfPanelsKnowNoHigherOnes) {
   expect_rules_kept("ui", {{"ui/model", "^ui/model$"},
                            {"ui/widgets", "^ui/(model|widgets)$"},
