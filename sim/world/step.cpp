@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "sim/world/bodies/expected_impacts.h"
 #include "sim/world/conditions/projectiles.h"
 #include "sim/world/contact/contact_phase.h"
 #include "sim/world/energy/energy_phase.h"
@@ -14,7 +15,6 @@
 #include "sim/world/explicit/similarity.h"
 #include "sim/world/fracture/fracture_phase.h"
 #include "sim/world/fracture/separation_phase.h"
-#include "sim/world/impacts/expected_impacts.h"
 #include "sim/world/motion/elastic_phase.h"
 #include "sim/world/motion/equilibrium.h"
 #include "sim/world/motion/explicit_integration.h"
@@ -22,6 +22,7 @@
 #include "sim/world/output/publish.h"
 #include "sim/world/regime/rest_phase.h"
 #include "sim/world/state/world_state.h"
+#include "sim/world/substeps.h"
 
 namespace griffith {
 namespace {

@@ -142,7 +142,7 @@ TEST(IncludeRules, LowerFoldersOfTheSimulationKnowNoHigherOnes) {
           {"sim/world/contact", "^sim/(?!timeline|recording|explicit|world/(setup|conditions|explicit|fracture)).*$"},
           {"sim/world/regime", "^sim/(?!timeline|recording|explicit|world/(setup|conditions|explicit)).*$"},
           {"sim/world/impacts", "^sim/(?!timeline|recording|world/setup).*$"},
-          {"sim/world/explicit", "^sim/(?!timeline|recording|world/setup).*$"},
+          {"sim/world/explicit", "^sim/(?!timeline|recording|world/(setup|impacts)).*$"},
           {"sim/world/setup", "^sim/(?!timeline|recording|explicit|world/(impacts|explicit|regime)).*$"},
       });
 }

@@ -6,10 +6,10 @@
 
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/bodies/expected_impacts.h"
 #include "sim/world/contact/contact_phase.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/explicit/similarity.h"
-#include "sim/world/impacts/expected_impacts.h"
 #include "sim/world/motion/elastic_phase.h"
 #include "sim/world/output/publish.h"
 #include "sim/world/state/corners.h"
