@@ -1,6 +1,11 @@
 #pragma once
 
+#include <array>
+#include <span>
+#include <vector>
+
 #include "sim/core/error.h"
+#include "sim/mesh/tet_edges.h"
 #include "sim/scene/boundary_condition.h"
 #include "sim/world/setup/rest_body.h"
 
