@@ -98,10 +98,10 @@ TEST(EnergyAccount, APlasticBarTakesItsYieldStressTimesItsFlow) {
   bar.supports = {left, right};
   scene.bodies = {bar};
   World world(scene);
-  constexpr int kSteps = 100;
-  for (int i = 0; i < kSteps; ++i) world.step();
+  const int steps = 100;
+  for (int i = 0; i < steps; ++i) world.step();
   const EnergyAccount energy = world.frame().energy;
-  const double drawn = rate * kSteps * scene.simulation.time_step, flow = drawn - length * yield / young_modulus;
+  const double drawn = rate * steps * scene.simulation.time_step, flow = drawn - length * yield / young_modulus;
   EXPECT_NEAR(energy.plastic, yield * area * flow, 0.1 * energy.plastic);
   EXPECT_GT(energy.supports, energy.plastic);
   EXPECT_LT(testing::fraction_unaccounted(energy), 0.01);
