@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "sim/world/conditions/grab.h"
 #include "sim/world/conditions/projectiles.h"
 #include "sim/world/contact/contact_phase.h"
 #include "sim/world/energy/energy_phase.h"
@@ -52,7 +53,10 @@ void move(WorldState& world, double dt) {
   update_supports(world, world.time, dt);
   timed(ms.contact, [&] { find_contacts(world, dt); });
   record_substep_start(world, world.scratch);
-  timed(ms.elasticity, [&] { assemble_systems(world, dt); });
+  timed(ms.elasticity, [&] {
+    assemble_systems(world, dt);
+    update_grab(world, dt);
+  });
   ExternalForces forces = external_forces(world, dt);
   const std::vector<Vec3> external = std::move(forces.nodes);
   world.scratch.edge_loads = std::move(forces.edges);

@@ -21,6 +21,7 @@ double stress_by(const WorldState& world, const PlacedLoad& placed, const Body& 
   const Load& load = placed.load;
   switch (load.kind) {
     case LoadKind::point_force:
+      if (placed.held) return load.force.norm() / (body.element_size * body.element_size);
       return load.force.norm() / (static_cast<double>(placed.corners.size()) * body.element_size * body.element_size);
     case LoadKind::traction:
       return load.traction.norm();

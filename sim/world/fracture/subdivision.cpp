@@ -6,6 +6,7 @@
 
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/conditions/grab.h"
 #include "sim/world/setup/build_world.h"
 #include "sim/world/state/corners.h"
 #include "sim/world/state/world_state.h"
@@ -84,6 +85,14 @@ void follow_all(std::vector<TetCorner>& corners, const Subdivision& subdivision,
   for (const auto& [tet, corner] : places) corners.push_back({tet, corner});
 }
 
+/// Updates a grab in a tet that is now several.
+void follow_held(const WorldState& world, const Subdivision& subdivision, HeldPoint& held) {
+  std::vector<TetId> parts = {TetId(held.grab.tet)};
+  for (const TetBisection& halves : subdivision.tets)
+    if (std::ranges::find(parts, halves.tet) != parts.end()) parts.push_back(halves.child);
+  if (parts.size() > 1) follow_parts(world, parts, held);
+}
+
 void follow_load(PlacedLoad& placed, const Subdivision& subdivision) {
   follow_all(placed.corners, subdivision, follow_nodes);
   std::vector<TetCorner> faces;
@@ -105,7 +114,10 @@ void follow_probe(ProbedNode& probed, const Subdivision& subdivision) {
 
 void follow_places(WorldState& world, const Subdivision& subdivision) {
   for (PlacedSupport& placed : world.supports) follow_all(placed.corners, subdivision, follow_region);
-  for (PlacedLoad& placed : world.loads) follow_load(placed, subdivision);
+  for (PlacedLoad& placed : world.loads) {
+    follow_load(placed, subdivision);
+    if (placed.held) follow_held(world, subdivision, *placed.held);
+  }
   for (PlacedProbe& placed : world.probes)
     for (ProbedNode& probed : placed.nodes) follow_probe(probed, subdivision);
   update_supports(world, world.time, 0);
