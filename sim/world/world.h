@@ -13,7 +13,7 @@
 
 namespace griffith {
 
-/// Scene in motion. Results depend only on the scene, the shots and edits, and the number of steps: never on the clock,
+/// Scene in motion. Results depend only on the scene, the shots, grabs and edits, and the number of steps: never on the clock,
 /// the number of threads or the frame rate.
 class World {
  public:

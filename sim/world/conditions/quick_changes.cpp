@@ -21,7 +21,6 @@ double stress_by(const WorldState& world, const PlacedLoad& placed, const Body& 
   const Load& load = placed.load;
   switch (load.kind) {
     case LoadKind::point_force:
-      if (placed.held) return load.force.norm() / (body.element_size * body.element_size);
       return load.force.norm() / (static_cast<double>(placed.corners.size()) * body.element_size * body.element_size);
     case LoadKind::traction:
       return load.traction.norm();
@@ -132,7 +131,8 @@ void add_changes(const WorldState& world, const PlacedSupport& placed, Changes& 
 std::vector<QuickChange> quick_changes(const WorldState& world, const TimeSpan& span) {
   if (!anything_changes(world, span)) return {};
   Changes changes(world);
-  for (const PlacedLoad& placed : world.loads) add_changes(world, placed, changes);
+  for (const PlacedLoad& placed : world.loads)
+    if (!placed.held) add_changes(world, placed, changes);
   for (const PlacedSupport& placed : world.supports) add_changes(world, placed, changes);
   return changes.quick(span);
 }
