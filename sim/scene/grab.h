@@ -9,7 +9,7 @@ namespace griffith {
 struct GrabSpring {
   double frequency = 3;        ///< frequency of the piece on the spring, ω = 2π f [Hz]; stiffness m ω²
   double damping_ratio = 0.7;  ///< ζ [-]; damping 2 ζ m ω
-  double strength = 20;        ///< greatest force over the piece's weight under standard gravity [-]
+  double strength = 10;        ///< greatest force over the piece's weight under standard gravity [-]
   bool operator==(const GrabSpring&) const = default;
 };
 
@@ -18,7 +18,7 @@ struct Grab {
   int tet = 0;                          ///< index of the tet with the point
   Vec3 weights = Vec3::Constant(0.25);  ///< barycentric weights of its corners 1 to 3; corner 0 has the rest to 1
   Vec3 target = Vec3::Zero();           ///< end of the spring [m]
-  GrabSpring spring;
+  GrabSpring spring = {};
   bool operator==(const Grab&) const = default;
 };
 

@@ -99,11 +99,10 @@ double admittance(const WorldState& world, const HeldPoint& held, const Vec3& di
 
 /// Wakes the piece. Loads strain pieces, so it deforms unless it is a single element.
 void wake(WorldState& world, Body& body) {
-  if (body.asleep || (body.rigid && !body.supported())) {
-    if (body.tets.size() > 1) return make_elastic(world, body);
-    world.contact_world.wake_up(body.proxy);
-    body.asleep = false;
-  }
+  if (body.rigid && body.supported()) return;  // frozen
+  if (body.tets.size() > 1 && (body.asleep || body.rigid)) return make_elastic(world, body);
+  world.contact_world.wake_up(body.proxy);
+  body.asleep = false;
 }
 
 void check(const WorldState& world, const Grab& grab) {
