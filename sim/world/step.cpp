@@ -6,7 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "sim/world/conditions/grab.h"
 #include "sim/world/conditions/projectiles.h"
 #include "sim/world/contact/contact_phase.h"
 #include "sim/world/energy/energy_phase.h"
@@ -15,6 +14,7 @@
 #include "sim/world/explicit/similarity.h"
 #include "sim/world/fracture/fracture_phase.h"
 #include "sim/world/fracture/separation_phase.h"
+#include "sim/world/grab_force.h"
 #include "sim/world/impacts/expected_impacts.h"
 #include "sim/world/motion/elastic_phase.h"
 #include "sim/world/motion/equilibrium.h"

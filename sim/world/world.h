@@ -13,8 +13,8 @@
 
 namespace griffith {
 
-/// Scene in motion. Results depend only on the scene, the shots, grabs and edits, and the number of steps: never on the clock,
-/// the number of threads or the frame rate.
+/// Scene in motion. Results depend only on the scene, the shots, grabs and edits, and the number of steps: never on the
+/// clock, the number of threads or the frame rate.
 class World {
  public:
   /// Builds meshes and setup. Throws InputError if a mesh or a value of the scene is unusable, and Cancelled if the

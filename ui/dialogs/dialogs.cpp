@@ -19,7 +19,7 @@ constexpr std::array<std::pair<const char*, const char*>, 10> kMouseHelp = {{
     {"Wheel", "zoom"},
     {"Click", "inspect a node and its element, select the body"},
     {"Ctrl + drag", "move the slice plane"},
-    {"Left drag, while Grab is on", "pull a piece by a spring while the simulation runs; Escape lets go"},
+    {"Left drag, Grab on", "pull a piece by a spring while the simulation runs; Escape lets go"},
     {"Right click in the view", "fire the projectile at that point; hold the button to preview its path"},
     {"Click on a number", "type a value: 20, 20 GPa, 2*30+1 mm; Tab: next field, Escape: cancel"},
     {"Drag a number", "change it; Shift: fine steps, Ctrl: round values"},

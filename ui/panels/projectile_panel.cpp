@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/scene/input_fields.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/field_range.h"
 #include "ui/widgets/field_widgets.h"

@@ -1,14 +1,10 @@
 #include "sim/world/conditions/grab.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <numbers>
 
 #include "sim/core/error.h"
 #include "sim/core/tet_edge_corners.h"
-#include "sim/solver/contact_response.h"
-#include "sim/world/contact/elastic_contacts.h"
-#include "sim/world/motion/elastic_phase.h"
 #include "sim/world/regime/regime_change.h"
 #include "sim/world/state/world_state.h"
 
@@ -17,10 +13,6 @@ namespace {
 
 auto find_held(auto& loads) {
   return std::ranges::find_if(loads, [](const PlacedLoad& placed) { return placed.held.has_value(); });
-}
-
-const Body& body_of(const WorldState& world, const Grab& grab) {
-  return world.bodies[world.elements.bodies[TetId(grab.tet)]];
 }
 
 /// Returns the weights of all four corners.
@@ -57,46 +49,6 @@ Vec3 rest_position_of(const WorldState& world, const Grab& grab) {
   return position;
 }
 
-Vec3 position_of(const WorldState& world, const Grab& grab) {
-  return value_at(world, grab, world.nodes.positions, world.edges.offsets);
-}
-
-/// Constants of the spring for the piece that it holds.
-struct SpringConstants {
-  double stiffness = 0, damping = 0, max_force = 0;  ///< [N/m], [N·s/m], [N]
-};
-
-SpringConstants constants_of(const WorldState& world, const Grab& grab) {
-  constexpr double kStandardGravity = 9.80665;  // [m/s²]
-  constexpr double kMaxPhase = 0.3;             // of a period in a time step [rad]: 20 steps and more
-  const double mass = body_of(world, grab).motion.mass;
-  const double frequency =
-      std::min(2 * std::numbers::pi * grab.spring.frequency, kMaxPhase / world.model->scene.simulation.time_step);
-  return {mass * frequency * frequency, 2 * grab.spring.damping_ratio * mass * frequency,
-          grab.spring.strength * mass * kStandardGravity};
-}
-
-/// Returns the velocity of a point of a rigid piece by a unit impulse there, both along `direction` [1/kg].
-double rigid_admittance(const RigidMotion& motion, const Vec3& position, const Vec3& direction) {
-  const Vec3 torque = (position - motion.center).cross(direction);
-  return 1 / motion.mass + torque.dot(motion.inertia.inverse() * torque);
-}
-
-/// Returns the same of the piece as it moves in a substep of `dt` [s]. Microsteps let it move as a rigid one at least.
-double admittance(const WorldState& world, const HeldPoint& held, const Vec3& direction, double dt) {
-  const Body& body = body_of(world, held.grab);
-  if (!body.is_deformable() || world.integrates_explicitly())
-    return rigid_admittance(body.motion, held.position, direction);
-  ExternalForces impulse = no_forces(world);
-  add_force_at(world, held.grab, direction, impulse);
-  const NodeVectors of_rows = body.system->gather(impulse.nodes, impulse.edges);
-  const ImplicitStep step = implicit_step(world, body, dt);
-  NodeVectors change =
-      respond_alone(deformable_inertia(world, body, dt), of_rows, step.relative_residual, step.max_iterations);
-  body.system->project(change);
-  return of_rows.cwiseProduct(change).sum();
-}
-
 /// Wakes the piece. Loads strain pieces, so it deforms unless it is a single element.
 void wake(WorldState& world, Body& body) {
   if (body.rigid && body.supported()) return;  // frozen
@@ -119,22 +71,45 @@ void check(const WorldState& world, const Grab& grab) {
 
 }  // namespace
 
+PlacedLoad* present_grab(WorldState& world) {
+  const auto placed = find_held(world.loads);
+  return placed == world.loads.end() ? nullptr : &*placed;
+}
+
+const Body& grabbed_body(const WorldState& world, const Grab& grab) {
+  return world.bodies[world.elements.bodies[TetId(grab.tet)]];
+}
+
+Vec3 grabbed_position(const WorldState& world, const Grab& grab) {
+  return value_at(world, grab, world.nodes.positions, world.edges.offsets);
+}
+
+SpringConstants spring_constants(const WorldState& world, const Grab& grab) {
+  constexpr double kStandardGravity = 9.80665;  // [m/s²]
+  constexpr double kMaxPhase = 0.3;             // of a period in a time step [rad]: 20 steps and more
+  const double mass = grabbed_body(world, grab).motion.mass;
+  const double frequency =
+      std::min(2 * std::numbers::pi * grab.spring.frequency, kMaxPhase / world.model->scene.simulation.time_step);
+  return {mass * frequency * frequency, 2 * grab.spring.damping_ratio * mass * frequency,
+          grab.spring.strength * mass * kStandardGravity};
+}
+
 void begin_grab(WorldState& world, const Grab& grab) {
   check(world, grab);
   end_grab(world);
-  wake(world, world.bodies[body_of(world, grab).id]);
+  wake(world, world.bodies[grabbed_body(world, grab).id]);
   PlacedLoad placed{{}, {}, {}, {}, {}};
   placed.load.kind = LoadKind::point_force;
   placed.load.force = Vec3::Zero();
   placed.load.start = world.time;
-  placed.held = HeldPoint{grab, rest_position_of(world, grab), position_of(world, grab),
+  placed.held = HeldPoint{grab, rest_position_of(world, grab), grabbed_position(world, grab),
                           value_at(world, grab, world.nodes.velocities, world.edges.velocities), world.time};
   world.loads.push_back(std::move(placed));
 }
 
 void move_grab(WorldState& world, const Vec3& target) {
-  const auto placed = find_held(world.loads);
-  if (placed == world.loads.end() || !target.allFinite())
+  PlacedLoad* placed = present_grab(world);
+  if (!placed || !target.allFinite())
     throw InputError("grab", "cannot move: nothing is grabbed, or its target is not finite", "grab a piece first");
   placed->held->grab.target = target;
 }
@@ -144,49 +119,18 @@ void end_grab(WorldState& world) {
   if (placed != world.loads.end()) world.loads.erase(placed);
 }
 
-void update_grab(WorldState& world, double dt) {
-  const auto placed = find_held(world.loads);
-  if (placed == world.loads.end()) return;
-  HeldPoint& held = *placed->held;
-  const Vec3 position = position_of(world, held.grab);
-  if (world.time > held.time) held.velocity = (position - held.position) / (world.time - held.time);
-  held.position = position;
-  held.time = world.time;
-  const auto [stiffness, damping, max_force] = constants_of(world, held.grab);
-  Vec3& force = placed->load.force;
-  const Vec3 pull = stiffness * (held.grab.target - position - dt * held.velocity) - damping * held.velocity;
-  const Vec3 change = pull - force;
-  if (change.isZero(0)) return;
-  const double along = admittance(world, held, change.normalized(), dt);
-  force += change / (1 + dt * (dt * stiffness + damping) * along);
-  if (force.norm() > max_force) force *= max_force / force.norm();
-}
-
 std::optional<GrabView> grab_view(const WorldState& world) {
   const auto placed = find_held(world.loads);
   if (placed == world.loads.end()) return std::nullopt;
   const Grab& grab = placed->held->grab;
-  return GrabView{body_of(world, grab).id, position_of(world, grab), grab.target, placed->load.force,
-                  constants_of(world, grab).max_force};
+  return GrabView{grabbed_body(world, grab).id, grabbed_position(world, grab), grab.target, placed->load.force,
+                  spring_constants(world, grab).max_force};
 }
 
 void add_force_at(const WorldState& world, const Grab& grab, const Vec3& force, ExternalForces& forces) {
   for_each_share(
       world, grab, [&](NodeId node, double share) { forces.nodes[node] += share * force; },
       [&](EdgeId edge, double share) { forces.edges[edge] += share * force; });
-}
-
-void follow_parts(const WorldState& world, std::span<const TetId> parts, HeldPoint& held) {
-  double best = -1;
-  for (const TetId tet : parts) {
-    const Vec3 arm = held.rest_position - world.mesh->rest_positions[world.mesh->tets[tet][0]];
-    const Vec3 weights = world.elements.rest_elements[tet].shape_gradients.rightCols<3>().transpose() * arm;
-    const double least = std::min(weights.minCoeff(), 1 - weights.sum());
-    if (best != -1 && least <= best) continue;
-    best = least;
-    held.grab.tet = tet.index();
-    held.grab.weights = weights;
-  }
 }
 
 }  // namespace griffith

@@ -21,7 +21,7 @@ struct HeldPoint {
 };
 
 /// Load and the place where it acts: one of the three lists, depending on its kind, or the point of a grab, whose force
-/// follows from its spring (grab.h).
+/// follows from its spring (grab_force.h).
 struct PlacedLoad {
   Load load;
   std::vector<TetCorner> corners;  ///< one a node: the force stays with this piece of material

@@ -2,11 +2,11 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/conditions/grab.h"
 #include "sim/world/setup/build_world.h"
 #include "sim/world/state/corners.h"
 #include "sim/world/state/world_state.h"
@@ -85,12 +85,22 @@ void follow_all(std::vector<TetCorner>& corners, const Subdivision& subdivision,
   for (const auto& [tet, corner] : places) corners.push_back({tet, corner});
 }
 
-/// Updates a grab in a tet that is now several.
+/// Updates a grab in a tet that is now several: the point is in the one that leaves it most room.
 void follow_held(const WorldState& world, const Subdivision& subdivision, HeldPoint& held) {
   std::vector<TetId> parts = {TetId(held.grab.tet)};
   for (const TetBisection& halves : subdivision.tets)
     if (std::ranges::find(parts, halves.tet) != parts.end()) parts.push_back(halves.child);
-  if (parts.size() > 1) follow_parts(world, parts, held);
+  if (parts.size() == 1) return;
+  double most = -std::numeric_limits<double>::infinity();
+  for (const TetId tet : parts) {
+    const Vec3 arm = held.rest_position - world.mesh->rest_positions[world.mesh->tets[tet][0]];
+    const Vec3 weights = world.elements.rest_elements[tet].shape_gradients.rightCols<3>().transpose() * arm;
+    const double room = std::min(weights.minCoeff(), 1 - weights.sum());
+    if (room <= most) continue;
+    most = room;
+    held.grab.tet = tet.index();
+    held.grab.weights = weights;
+  }
 }
 
 void follow_load(PlacedLoad& placed, const Subdivision& subdivision) {
