@@ -248,12 +248,13 @@ class ContactWorld {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Divides a body into few, nearly convex parts for collision. `points` and `tets` are the body's own. Every tet
-/// belongs to one part, the convex hull of its at most 42 most extreme corners. A part is accepted if its tets fill at
-/// least the fraction `fill` (0..1] of that hull, if it is a single tet, or if it has less than 1/32 of the body's
-/// volume; else it is halved across its longest axis. A low `fill` makes fewer parts. Contact time grows with their
-/// number, so 0.5 suits small pieces.
-std::vector<ConvexPart> convex_parts(std::span<const Vec3> points, std::span<const std::array<int, 4>> tets,
-                                     double fill = 0.9);
+/// Divides a body into few, nearly convex parts for collision. `points`, which are now where they are and at rest at
+/// `rest_points`, and `tets` are the body's own. Every tet belongs to one part, the convex hull of its at most 42 most
+/// extreme corners. The division is that at rest, so that it does not change as the body deforms. A part is accepted if
+/// its tets fill at least the fraction `fill` (0..1] of that hull, if it is a single tet, or if it has less than 1/32
+/// of the body's volume; else it is halved across its longest axis. A low `fill` makes fewer parts. Contact time grows
+/// with their number, so 0.5 suits small pieces.
+std::vector<ConvexPart> convex_parts(std::span<const Vec3> points, std::span<const Vec3> rest_points,
+                                     std::span<const std::array<int, 4>> tets, double fill = 0.9);
 
 }  // namespace griffith

@@ -19,9 +19,9 @@ constexpr int kMaxCorners = 42;
 /// Fraction of the body's volume below which a part is not halved: it limits the number of parts.
 constexpr double kSmallestFraction = 1.0 / 32;
 
-/// Points of all pieces in sequence, and data of each piece.
+/// Points of all pieces in sequence, now and at rest, and data of each piece at rest.
 struct Body {
-  std::span<const Vec3> points;
+  std::span<const Vec3> points, rest_points;
   double fill;
   std::vector<int> corners = {};
   std::vector<std::size_t> first = {0};  ///< per piece, and the end
@@ -31,7 +31,7 @@ struct Body {
 
   void add(std::span<const int> piece, double piece_volume) {
     Vec3 center = Vec3::Zero();
-    for (const int corner : piece) center += points[corner] / static_cast<double>(piece.size());
+    for (const int corner : piece) center += rest_points[corner] / static_cast<double>(piece.size());
     corners.insert(corners.end(), piece.begin(), piece.end());
     first.push_back(corners.size());
     volumes.push_back(piece_volume);
@@ -40,8 +40,8 @@ struct Body {
   }
 };
 
-/// Returns the points used by some pieces, each once.
-std::vector<Vec3> used_points(const Body& body, std::span<const int> pieces) {
+/// Returns those of the body's points that some pieces use, each once.
+std::vector<Vec3> used_points(const Body& body, std::span<const int> pieces, std::span<const Vec3> all_points) {
   std::vector<int> nodes;
   for (const int piece : pieces)
     nodes.insert(nodes.end(), body.corners.begin() + static_cast<std::ptrdiff_t>(body.first[piece]),
@@ -49,7 +49,7 @@ std::vector<Vec3> used_points(const Body& body, std::span<const int> pieces) {
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   std::vector<Vec3> points;
-  for (int node : nodes) points.push_back(body.points[node]);
+  for (int node : nodes) points.push_back(all_points[node]);
   return points;
 }
 
@@ -96,18 +96,25 @@ std::size_t halve(const Body& body, std::span<int> pieces, const std::vector<Vec
   return half == 0 || half == pieces.size() ? pieces.size() / 2 : half;
 }
 
+/// True if some pieces, which have these points at rest, make one part.
+bool are_one_part(const Body& body, std::span<const int> pieces, const std::vector<Vec3>& points) {
+  if (pieces.size() == 1) return true;
+  double volume = 0;
+  for (int piece : pieces) volume += body.volumes[piece];
+  return volume < kSmallestFraction * body.volume ||
+         volume >= (body.fill - 1e-9) * convex_hull(extreme_points(points)).volume;
+}
+
 /// Returns the parts of some pieces, whose order it changes.
 std::vector<ConvexPart> parts_of(const Body& body, std::span<int> pieces) {
   constexpr std::size_t kTetCorners = 4, kWorthAThread = 32;
-  const std::vector<Vec3> points = used_points(body, pieces);
-  if (points.size() <= kTetCorners) return {points};
-  ConvexHull hull = convex_hull(extreme_points(points));
-  double volume = 0;
-  for (int piece : pieces) volume += body.volumes[piece];
-  const bool filled = volume >= (body.fill - 1e-9) * hull.volume;
-  if (pieces.size() == 1 || filled || volume < kSmallestFraction * body.volume) return {std::move(hull.corners)};
-
-  const std::size_t half = halve(body, pieces, points);
+  const std::vector<Vec3> rest_points = used_points(body, pieces, body.rest_points);
+  if (rest_points.size() <= kTetCorners || are_one_part(body, pieces, rest_points)) {
+    const std::vector<Vec3> points = used_points(body, pieces, body.points);
+    if (points.size() <= kTetCorners) return {points};
+    return {convex_hull(extreme_points(points)).corners};
+  }
+  const std::size_t half = halve(body, pieces, rest_points);
   std::array<std::vector<ConvexPart>, 2> parts;
   parallel_for(2, pieces.size() < kWorthAThread ? 2 : 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) parts[i] = parts_of(body, i == 0 ? pieces.first(half) : pieces.subspan(half));
@@ -130,17 +137,18 @@ double tet_volume(std::span<const Vec3> points, const std::array<int, 4>& tet) {
 
 }  // namespace
 
-std::vector<ConvexPart> convex_parts(std::span<const Vec3> points, std::span<const std::array<int, 4>> tets,
-                                     double fill) {
-  assert(fill > 0 && fill <= 1);
-  Body body = {points, fill};
-  for (const auto& tet : tets) body.add(tet, tet_volume(points, tet));
+std::vector<ConvexPart> convex_parts(std::span<const Vec3> points, std::span<const Vec3> rest_points,
+                                     std::span<const std::array<int, 4>> tets, double fill) {
+  assert(fill > 0 && fill <= 1 && points.size() == rest_points.size());
+  Body body = {points, rest_points, fill};
+  for (const auto& tet : tets) body.add(tet, tet_volume(rest_points, tet));
   return parts_of(body);
 }
 
-std::vector<ConvexPart> convex_parts(std::span<const Vec3> points, std::span<const ConvexPiece> pieces, double fill) {
-  assert(fill > 0 && fill <= 1);
-  Body body = {points, fill};
+std::vector<ConvexPart> convex_parts(std::span<const Vec3> points, std::span<const Vec3> rest_points,
+                                     std::span<const ConvexPiece> pieces, double fill) {
+  assert(fill > 0 && fill <= 1 && points.size() == rest_points.size());
+  Body body = {points, rest_points, fill};
   for (const ConvexPiece& piece : pieces) body.add(piece.corners, piece.volume);
   return parts_of(body);
 }

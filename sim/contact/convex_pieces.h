@@ -14,7 +14,7 @@ struct ConvexPiece {
 };
 
 /// Does the same as convex_parts() of tets for a body made of convex pieces.
-std::vector<ConvexPart> convex_parts(std::span<const Vec3> points, std::span<const ConvexPiece> pieces,
-                                     double fill = 0.9);
+std::vector<ConvexPart> convex_parts(std::span<const Vec3> points, std::span<const Vec3> rest_points,
+                                     std::span<const ConvexPiece> pieces, double fill = 0.9);
 
 }  // namespace griffith

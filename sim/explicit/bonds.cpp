@@ -4,6 +4,15 @@
 #include "sim/explicit/microstep_contacts.h"
 
 namespace griffith::explicit_dynamics {
+namespace {
+
+/// Returns how many sixteenths of its critical opening a bond has passed.
+int opened_parts(const Bond& bond) {
+  constexpr int kParts = 16;
+  return bond.holds() ? static_cast<int>(kParts * bond.opening / bond.critical) : kParts;
+}
+
+}  // namespace
 
 /// Lists the bonds that hold, those between the same nodes in sequence.
 void MicrostepContacts::list_bonds(const ExplicitBodies& bodies) {
@@ -48,6 +57,7 @@ void MicrostepContacts::tie_edges(ExplicitBodies& bodies) {
 /// act as one.
 void MicrostepContacts::hold_cracks(ExplicitBodies& bodies, double dt) {
   if (!lists_bonds_) list_bonds(bodies);
+  have_bonds_opened_ = false;
   const auto bond_at = [&](const BondedCorner& at) -> Bond& { return cracks_[at.crack].sides.bonds[at.corner]; };
   for (auto first = bonds_.begin(); first != bonds_.end();) {
     const auto last = std::find_if(first, bonds_.end(), [&](const BondedCorner& other) {
@@ -55,7 +65,9 @@ void MicrostepContacts::hold_cracks(ExplicitBodies& bodies, double dt) {
     });
     Bond whole = bond_at(*first);
     for (auto other = first + 1; other != last; ++other) whole.force += bond_at(*other).force;
+    const int parts_before = opened_parts(whole);
     hold(bodies, first->first, first->second, whole, dt);
+    have_bonds_opened_ |= opened_parts(whole) > parts_before;
     for (; first != last; ++first) {
       bond_at(*first).opening = whole.opening;
       if (!whole.holds()) bond_at(*first) = {};

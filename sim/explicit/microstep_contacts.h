@@ -71,17 +71,12 @@ class MicrostepContacts {
   }
   /// Ties the copies of edges along cracks, after cracks have opened and before the next motion.
   void tie_edges(ExplicitBodies& bodies);
-  /// Drops the bonds of all cracks for which `is_dropped` is true.
-  template <class IsDropped>
-  void drop_bonds(const IsDropped& is_dropped) {
-    for (WatchedCrack& crack : cracks_)
-      if (is_dropped(crack.sides)) crack.sides.bonds = {};
-    lists_bonds_ = false;
-  }
   std::span<Obstacle> obstacles() { return obstacles_; }
   int crack_count() const { return static_cast<int>(cracks_.size()); }
   const CrackSides& crack(int index) const { return cracks_[index].sides; }
   std::span<const RecordedImpact> recorded_impacts() const { return recorded_impacts_; }
+  /// True if a bond has opened by a further sixteenth of its critical opening, or has broken, in the last microstep.
+  bool have_bonds_opened() const { return have_bonds_opened_; }
   /// Returns the work of search and impulses so far, in microseconds of a typical core, counted and not timed.
   double work() const { return work_; }
 
@@ -237,6 +232,7 @@ class MicrostepContacts {
   std::vector<int> pushed_at_;       ///< per node: index into pushed_, or -1
   std::vector<BondedCorner> bonds_;  ///< by nodes, as far as `lists_bonds_`
   bool lists_bonds_ = false;
+  bool have_bonds_opened_ = false;
   double lost_ = 0, fractured_ = 0, work_ = 0;
   double element_size_, margin_ = 0;
   double travelled_ = 0;      ///< bound on the total approach of any two objects [m]

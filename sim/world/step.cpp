@@ -21,6 +21,7 @@
 #include "sim/world/motion/explicit_integration.h"
 #include "sim/world/motion/motion_phase.h"
 #include "sim/world/output/publish.h"
+#include "sim/world/regime/part_at_bonds.h"
 #include "sim/world/regime/rest_phase.h"
 #include "sim/world/state/world_state.h"
 
@@ -50,6 +51,7 @@ void fracture(WorldState& world, double substep) {
 /// Computes contacts and motion of all objects except the bodies in explicit dynamics.
 void move(WorldState& world, double dt) {
   StepTimings& ms = world.report.milliseconds;
+  part_at_bonds(world);
   update_supports(world, world.time, dt);
   timed(ms.contact, [&] { find_contacts(world, dt); });
   record_substep_start(world, world.scratch);

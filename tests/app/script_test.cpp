@@ -179,7 +179,7 @@ TEST_F(ScriptPlayerTest, TheTourGoesOnByNextAndEndsBySkip) {
 TEST_F(ScriptPlayerTest, TheWholeTourPlaysAndAllThatItPointsAtIsThere) {
   ScriptPlayer player(tour(), true);
   int said = 0;
-  for (int i = 0; i < 2000 && !player.done(); ++i) {
+  for (int i = 0; i < 20000 && !player.done(); ++i) {
     player.advance(editor_, queue_);
     draw();
     std::optional<ui::Caption>& caption = editor_.state().caption;

@@ -22,7 +22,7 @@ SHOT_WALL = {
         {
             "shape": {"box": {"size": [3, 3, 1], "element_size": 1.5, "pattern": "kuhn"}},
             "position": [0, 1.5, 0],
-            "material": {"preset": "brick", "tensile_strength": 60000, "fracture_toughness": 180000},
+            "material": {"preset": "brick", "tensile_strength": 60000, "fracture_toughness": 40000},
             "supports": [{"region": {"half_space": {"point": [0, -1.5, 0], "normal": [0, -1, 0]}}}],
         }
     ],

@@ -42,6 +42,16 @@ Body wall(int columns, int rows, Missing missing) {
   return body;
 }
 
+/// Returns how far a point lies outside of a hull [m].
+double distance_outside(const ConvexHull& hull, const Vec3& point) {
+  double farthest = 0;
+  for (const std::vector<int>& face : hull.faces) {
+    const Vec3 &a = hull.corners[face[0]], &b = hull.corners[face[1]], &c = hull.corners[face[2]];
+    farthest = std::max(farthest, (b - a).cross(c - a).normalized().dot(point - a));
+  }
+  return farthest;
+}
+
 double total_hull_volume(const std::vector<ConvexPart>& parts) {
   double volume = 0;
   for (const ConvexPart& part : parts) volume += convex_hull(part).volume;
@@ -94,7 +104,7 @@ TEST(ConvexHull, FlatInputsAreSafe) {
 
 TEST(ConvexParts, AConvexWallIsOnePart) {
   const Body body = wall(10, 7, [](int, int) { return false; });
-  const auto parts = convex_parts(body.points, body.tets);
+  const auto parts = convex_parts(body.points, body.points, body.tets);
   ASSERT_EQ(parts.size(), 1u);
   EXPECT_EQ(parts[0].size(), 8u);
   EXPECT_NEAR(total_hull_volume(parts), 70, 1e-9);
@@ -103,7 +113,7 @@ TEST(ConvexParts, AConvexWallIsOnePart) {
 TEST(ConvexParts, PartsFillTheirHullsAndLeaveHolesOpen) {
   const auto hole = [](int i, int j) { return i >= 3 && i < 7 && j >= 2 && j < 6; };
   const Body body = wall(10, 8, hole);
-  const auto parts = convex_parts(body.points, body.tets, 0.9);
+  const auto parts = convex_parts(body.points, body.points, body.tets, 0.9);
   EXPECT_GT(parts.size(), 1u);
   EXPECT_LE(parts.size(), 24u);
   const double volume = static_cast<double>(body.tets.size()) / 6;
@@ -111,9 +121,25 @@ TEST(ConvexParts, PartsFillTheirHullsAndLeaveHolesOpen) {
   EXPECT_LE(total_hull_volume(parts), 1.15 * volume);
 }
 
+/// Contacts would find bodies deep inside of parts that were none before.
+TEST(ConvexParts, ADeformedBodyIsDividedAsAtRest) {
+  const Body body = wall(10, 8, [](int i, int j) { return i >= 3 && i < 7 && j >= 2 && j < 6; });
+  const auto bend = [](const Vec3& p) { return Vec3(p.x(), p.y() - 0.03 * p.x() * p.x(), p.z()); };
+  const auto unbent = [](const Vec3& p) { return Vec3(p.x(), p.y() + 0.03 * p.x() * p.x(), p.z()); };
+  Body bent = body;
+  std::ranges::transform(body.points, bent.points.begin(), bend);
+  const auto parts = convex_parts(body.points, body.points, body.tets),
+             deformed = convex_parts(bent.points, body.points, body.tets);
+  ASSERT_EQ(deformed.size(), parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const ConvexHull hull = convex_hull(parts[i]);
+    for (const Vec3& p : deformed[i]) EXPECT_LT(distance_outside(hull, unbent(p)), 1e-9);
+  }
+}
+
 TEST(ConvexParts, OneTetIsExact) {
   const Body body = {{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 2, 0), Vec3(0.3, 0.2, 3)}, {{0, 1, 2, 3}}};
-  EXPECT_EQ(convex_parts(body.points, body.tets), std::vector<ConvexPart>{body.points});
+  EXPECT_EQ(convex_parts(body.points, body.points, body.tets), std::vector<ConvexPart>{body.points});
 }
 
 TEST(ConvexParts, RoundBodiesKeepFewCorners) {
@@ -131,13 +157,13 @@ TEST(ConvexParts, RoundBodiesKeepFewCorners) {
       };
       body.tets.push_back({0, index(face[0]), index(face[k - 1]), index(face[k])});
     }
-  const auto parts = convex_parts(body.points, body.tets);
+  const auto parts = convex_parts(body.points, body.points, body.tets);
   ASSERT_EQ(parts.size(), 1u);
   EXPECT_LE(parts[0].size(), 42u);
   EXPECT_GT(total_hull_volume(parts), 0.8 * hull.volume);
 }
 
-TEST(ConvexParts, NoTetsNoParts) { EXPECT_TRUE(convex_parts({}, {}).empty()); }
+TEST(ConvexParts, NoTetsNoParts) { EXPECT_TRUE(convex_parts({}, {}, {}).empty()); }
 
 }  // namespace
 }  // namespace griffith

@@ -9,6 +9,7 @@
 #include "sim/fracture/fracture_law.h"
 #include "sim/fracture/resistance.h"
 #include "sim/mesh/topology.h"
+#include "sim/world/bodies/bonded_pieces.h"
 #include "sim/world/bodies/collision_shape.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/motion/elastic_phase.h"
@@ -190,7 +191,8 @@ bool is_continued(const WorldState& world, TetId tet, const std::array<int, 3>& 
   });
 }
 
-/// Returns the volume of a body over its surface at rest, without faces beyond which it goes on [m].
+}  // namespace
+
 double depth_of(const WorldState& world, const Body& body) {
   double volume = 0, area = 0;
   for (const TetId tet : body.tets) volume += world.elements.rest_elements[tet].volume;
@@ -201,8 +203,6 @@ double depth_of(const WorldState& world, const Body& body) {
   }
   return area > 0 ? volume / area : std::numeric_limits<double>::infinity();
 }
-
-}  // namespace
 
 double rebuild_shape(WorldState& world, Body& body) {
   body.nodes = nodes_of(world.mesh, body.tets);
@@ -224,7 +224,9 @@ double rebuild_shape(WorldState& world, Body& body) {
   body.reference_offsets = gather(world.edges.offsets, body.edges);
   body.orientation.setIdentity();
   body.element_size = mean_element_size(world.elements.rest_elements, body.tets);
-  body.depth = depth_of(world, body);
+  body.bonded = connected_components(world.mesh, body.tets).size() > 1;
+  // While it cracks, what it was before it was hit counts: its pieces were not thinner then.
+  if (!body.explicit_state) body.depth = depth_of(world, body);
   body.extent = extent_of(world, body);
   body.weakest_fraction = weakest_fraction_of(world, body);
   body.asleep = body.ballistic = false;
@@ -296,6 +298,7 @@ void assign_pieces(WorldState& world, BodyId id, std::vector<std::vector<TetId>>
     piece.broke_scaled = world.bodies[id].broke_scaled;
     piece.explicit_state = world.bodies[id].explicit_state;
     piece.explicit_ended = world.bodies[id].explicit_ended;
+    piece.depth = world.bodies[id].depth;
     piece.tets = std::move(pieces[i]);
     for (TetId tet : piece.tets) world.elements.bodies[tet] = piece.id;
     world.bodies.push_back(std::move(piece));
@@ -305,7 +308,8 @@ void assign_pieces(WorldState& world, BodyId id, std::vector<std::vector<TetId>>
 std::vector<BodyId> part_bodies(WorldState& world, std::span<const BodyId> opened) {
   std::vector<BodyId> pieces(opened.begin(), opened.end());
   const std::size_t first_new = world.bodies.size();
-  for (BodyId id : opened) assign_pieces(world, id, connected_components(world.mesh, world.bodies[id].tets));
+  const BondedPieces bonded(world);
+  for (BodyId id : opened) assign_pieces(world, id, bonded.of(world.bodies[id]));
   for (std::size_t i = first_new; i < world.bodies.size(); ++i) pieces.push_back(world.bodies[i].id);
   return pieces;
 }

@@ -17,8 +17,8 @@ inline const Body& body_at(const WorldState& world, NodeId node) {
 
 /// Takes the stress out of a body that is rigid from now on.
 void clear_stress(const Body& body, ElementArrays& elements, NodeArrays& nodes);
-/// Divides the tets of bodies that may have separated among one body per connected piece, then calls rebuild_pieces().
-/// Returns all pieces: first the bodies themselves, then the new ones.
+/// Divides the tets of bodies that may have separated among one body per piece that faces or bonds connect, then calls
+/// rebuild_pieces(). Returns all pieces: first the bodies themselves, then the new ones.
 std::vector<BodyId> part_bodies(WorldState& world, std::span<const BodyId> opened);
 /// Rebuilds all data that follow from the tets of pieces; new ones, which are the last bodies, get their proxies.
 void rebuild_pieces(WorldState& world, std::span<const BodyId> pieces);
@@ -28,6 +28,8 @@ void assign_pieces(WorldState& world, BodyId id, std::vector<std::vector<TetId>>
 /// Rebuilds all data that follow from the tets of a body with a proxy: those of rebuild_shape(), collision parts and
 /// proxy.
 void rebuild_body(WorldState& world, Body& body);
+/// Returns the volume of a body over its surface at rest, without faces beyond which it goes on [m].
+double depth_of(const WorldState& world, const Body& body);
 /// Rebuilds nodes, surface, system and motion of a body. Writes only data of the body. Returns the energy that it lost
 /// if it becomes rigid [J].
 double rebuild_shape(WorldState& world, Body& body);

@@ -29,27 +29,28 @@ std::vector<SplinterId> owned_splinters(const WorldState& world, const Body& bod
   return owned;
 }
 
-Vec3 carried_position(const WorldState& world, const HullCorner& corner) {
+/// Returns the place of a corner with the nodes at `positions` [m].
+Vec3 carried_position(const WorldState& world, const HullCorner& corner, std::span<const Vec3> positions) {
   const SplinterSet& set = world.model->splinters;
   const std::vector<std::uint8_t>& attached = world.splinter_state.attached;
   const TetId tet = carrier(set.splinters, set.parts, attached, corner.part);
-  return carried_position(set.corners[corner.corner], attached[corner.part], world.mesh->tets[tet],
-                          world.nodes.positions);
+  return carried_position(set.corners[corner.corner], attached[corner.part], world.mesh->tets[tet], positions);
 }
 
 std::vector<ConvexPart> splinter_parts(const WorldState& world, const Body& body,
                                        const std::vector<SplinterId>& splinters) {
-  std::vector<Vec3> points;
+  std::vector<Vec3> points, rest_points;
   std::vector<ConvexPiece> pieces;
   for (const SplinterId splinter : splinters) {
     ConvexPiece& piece = pieces.emplace_back();
     piece.volume = world.model->splinters.splinters[splinter].volume;
     for (const HullCorner& corner : world.model->splinter_hulls[splinter]) {
       piece.corners.push_back(static_cast<int>(points.size()));
-      points.push_back(carried_position(world, corner) - body.motion.center);
+      points.push_back(carried_position(world, corner, world.nodes.positions) - body.motion.center);
+      rest_points.push_back(carried_position(world, corner, world.mesh->rest_positions));
     }
   }
-  return convex_parts(points, pieces, fill_of(pieces.size()));
+  return convex_parts(points, rest_points, pieces, fill_of(pieces.size()));
 }
 
 }  // namespace
@@ -57,9 +58,12 @@ std::vector<ConvexPart> splinter_parts(const WorldState& world, const Body& body
 std::vector<ConvexPart> tet_parts(const TetMesh& mesh, std::span<const Vec3> positions, std::span<const TetId> tets,
                                   const Vec3& center) {
   const std::vector<NodeId> nodes = nodes_of(mesh, tets);
-  std::vector<Vec3> points;
-  points.reserve(nodes.size());
-  for (NodeId node : nodes) points.push_back(positions[node] - center);
+  std::vector<Vec3> points, rest_points;
+  points.reserve(nodes.size()), rest_points.reserve(nodes.size());
+  for (NodeId node : nodes) {
+    points.push_back(positions[node] - center);
+    rest_points.push_back(mesh.rest_positions[node]);
+  }
   std::vector<std::array<int, 4>> corners_of_tets;
   corners_of_tets.reserve(tets.size());
   for (TetId tet : tets) {
@@ -67,7 +71,7 @@ std::vector<ConvexPart> tet_parts(const TetMesh& mesh, std::span<const Vec3> pos
     for (int i = 0; i < 4; ++i)
       corners[i] = static_cast<int>(std::ranges::lower_bound(nodes, mesh.tets[tet][i]) - nodes.begin());
   }
-  return convex_parts(points, corners_of_tets, fill_of(tets.size()));
+  return convex_parts(points, rest_points, corners_of_tets, fill_of(tets.size()));
 }
 
 std::vector<ConvexPart> collision_parts(const WorldState& world, const Body& body) {

@@ -61,16 +61,20 @@ bool is_known_load(const WorldState& world, const Body& body, ProxyId other, dou
   return more <= kSame * known->force.norm() || !could_deform(world, body, more);
 }
 
+/// Adds the load of an object to those that a body is known to carry [N].
+void add_known_load(Body& body, ProxyId other, const Vec3& force) {
+  const auto known = std::ranges::find(body.known_contact_loads, other, &ContactLoad::other);
+  known == body.known_contact_loads.end() ? body.known_contact_loads.push_back({other, force})
+                                          : void(known->force += force);
+}
+
 /// Records the loads of deformable bodies in a substep of `dt` [s]; they keep the record when they become rigid.
 void record_loads(WorldState& world, double dt) {
   for (Body& body : world.bodies)
     if (body.is_deformable()) body.known_contact_loads.clear();
   const auto note = [&](ProxyId object, ProxyId other, const Vec3& force) {
     const BodyId id = world.body_of(object);
-    if (!id.valid() || !world.bodies[id].is_deformable()) return;
-    std::vector<ContactLoad>& loads = world.bodies[id].known_contact_loads;
-    const auto known = std::ranges::find(loads, other, &ContactLoad::other);
-    known == loads.end() ? loads.push_back({other, force}) : void(known->force += force);
+    if (id.valid() && world.bodies[id].is_deformable()) add_known_load(world.bodies[id], other, force);
   };
   for (const Contact& contact : std::as_const(world.contact_world).contacts()) {
     if (contact.impulse.isZero(0)) continue;
@@ -89,14 +93,22 @@ bool must_deform(const WorldState& world, const Body& body, const Contact& conta
 /// True if a body is immovable or rigid under its contacts and could deform.
 bool may_deform(const Body& body) { return body.rigid ? !body.supported() : body.asleep; }
 
-/// Makes rigid and sleeping bodies deformable that must deform under the impulses found. Returns true if there were
-/// any.
+/// Makes rigid and sleeping bodies deformable that must deform under the impulses found; bonded ones are left to the
+/// microsteps of the next substep, where bonds act. Returns true if there were any.
 bool make_struck_bodies_elastic(WorldState& world, double dt) {
   bool any = false;
   for (const Contact& contact : world.contact_world.contacts())
     for (ProxyId side : {contact.a, contact.b}) {
       const BodyId id = world.body_of(side);
       if (!id.valid() || !may_deform(world.bodies[id]) || !must_deform(world, world.bodies[id], contact, dt)) continue;
+      if (world.bodies[id].bonded) {
+        const ProxyId other = side == contact.a ? contact.b : contact.a;
+        std::erase_if(world.bodies[id].known_contact_loads,
+                      [&](const ContactLoad& load) { return load.other == other; });
+        add_known_load(world.bodies[id], other, load_of(world, world.bodies[id], other, dt));
+        world.bodies[id].bonds_loaded = true;
+        continue;
+      }
       const bool slept = world.bodies[id].asleep;
       if (world.bodies[id].rigid) place_rigid_nodes(world.bodies[id], world.nodes, world.edges);
       make_elastic(world, world.bodies[id]);

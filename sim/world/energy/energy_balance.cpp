@@ -80,9 +80,10 @@ void account_launch(WorldState& world, const Projectile& projectile, const Rigid
   world.potential_at_start -= projectile.mass * world.model->scene.gravity.dot(state.pose.translation);
 }
 
-void account_crack(WorldState& world, TetId tet, int face) {
+void account_crack(WorldState& world, TetId tet, int face, double part) {
   const auto corner = [&](int i) { return world.mesh->rest_positions[world.mesh->tets[tet][kTetFaces[face][i]]]; };
-  const double area = 0.25 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();  // the other side counts half
+  const double area =
+      0.25 * part * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();  // the other side counts half
   world.energy.crack_area += area;
   world.energy.fracture_energy += area * fracture_energy(world.material_of(world.bodies[world.elements.bodies[tet]]));
 }

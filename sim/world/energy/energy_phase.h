@@ -66,8 +66,9 @@ EnergyAccount spent_in_rigid_move(const WorldState& world, const Body& body, con
 /// Returns the work of yielding since `before` [J].
 double plastic_work(const WorldState& world, const Body& body, const BodySnapshot& before);
 
-/// Adds the area of new cracks: faces of a tet that have just lost their neighbors, one side of each crack.
-void account_crack(WorldState& world, TetId tet, int face);
+/// Adds a part of the area of one side of a crack to that of all cracks, for which each of both sides counts half.
+/// Negative: bonds hold it.
+void account_crack(WorldState& world, TetId tet, int face, double part = 1);
 
 /// Energy of the obstacles of microsteps in the world, from which the loss follows when they are placed back in it.
 class ObstacleAccount {

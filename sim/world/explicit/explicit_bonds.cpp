@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <set>
 
 #include "sim/fracture/cohesion.h"
 #include "sim/fracture/fracture_law.h"
 #include "sim/fracture/resistance.h"
 #include "sim/mesh/topology.h"
+#include "sim/world/bodies/bonded_pieces.h"
 #include "sim/world/explicit/explicit_run.h"
 #include "sim/world/fracture/separation_phase.h"
 
@@ -78,7 +78,9 @@ void ExplicitRun::bond_copies(NodeId original, std::span<const NodeId> made, dou
     const double critical = 2 * fracture_energy_at(world_, original, normal) / stress;
     double whole = 0;
     for (const auto& corner : pair.corners) whole += corner.area;
-    for (const auto& [face, corner, part] : pair.corners) bond(*face, corner, {stress * area * part / whole, critical});
+    for (const auto& [face, corner, part] : pair.corners)
+      cracks_by_face_.bond(*contacts_, *face, slot_of_tet_[face->first], corner,
+                           {stress * area * part / whole, critical});
   }
 }
 
@@ -90,47 +92,11 @@ double ExplicitRun::front_stress(NodeId node) const {
   return body.explicit_state->similarity * std::min(material.tensile_strength, critical);
 }
 
-void ExplicitRun::bond(const OpenFace& face, int corner, const Bond& bond) {
-  const int first = crack_of_side_[4 * slot_of_tet_[face.first] + explicit_dynamics::face_of(face.first_corners)];
-  if (first < 0) return;  // a slit that was in the mesh from the start holds nothing
-  const explicit_dynamics::CrackSides& crack = contacts_->crack(first);
-  const bool is_first = crack.first_slot == slot_of_tet_[face.first];
-  const std::array<int, 3>& corners = is_first ? crack.first_corners : crack.second_corners;
-  const auto place = std::ranges::find(corners, face.first_corners[corner]) - corners.begin();
-  contacts_->bond(first, static_cast<int>(place), bond);
-}
-
-/// Notes which crack a face of the bodies is a side of.
-void ExplicitRun::list_crack(int index) {
-  const explicit_dynamics::CrackSides& crack = contacts_->crack(index);
-  crack_of_side_[4 * crack.first_slot + explicit_dynamics::face_of(crack.first_corners)] = index;
-  crack_of_side_[4 * crack.second_slot + explicit_dynamics::face_of(crack.second_corners)] = index;
-}
-
-/// Bonds faces as the world knows it. What has opened since the last microsteps has broken so far for nothing.
-void ExplicitRun::restore_bonds() {
-  crack_of_side_.assign(4 * tets_.size(), -1);
-  for (int i = 0; i < contacts_->crack_count(); ++i) list_crack(i);
-  for (const CohesiveFace& known : world_.cohesive_faces) {
-    const int first = slot_of_tet_[known.face.first], second = slot_of_tet_[known.face.second];
-    if (first < 0 || second < 0) continue;
-    const double f = body_of(world_.mesh->tets[known.face.first][0]).explicit_state->similarity;
-    for (int i = 0; i < 3; ++i) {
-      Bond acting = known.bonds[i];
-      if (!acting.holds()) continue;
-      acting.force *= f, acting.critical /= f;
-      const Vec3 between = explicit_bodies_.position(explicit_bodies_.corner(second, known.face.second_corners[i])) -
-                           explicit_bodies_.position(explicit_bodies_.corner(first, known.face.first_corners[i]));
-      acting.opening = std::max(acting.opening / f, between.norm());
-      if (acting.opening < acting.critical) bond(known.face, i, acting);
-    }
-  }
-  contacts_->tie_edges(explicit_bodies_);
-}
-
 /// Lets the world know of the bonds that hold.
 void ExplicitRun::store_bonds() {
-  std::erase_if(world_.cohesive_faces, [&](const CohesiveFace& face) { return slot_of_tet_[face.face.first] >= 0; });
+  std::vector<bool> is_followed(slot_of_tet_.size());
+  for (std::size_t tet = 0; tet < is_followed.size(); ++tet) is_followed[tet] = slot_of_tet_[tet] >= 0;
+  free_cohesive_faces(world_, is_followed);
   for (int i = 0; i < contacts_->crack_count(); ++i) {
     const explicit_dynamics::CrackSides& crack = contacts_->crack(i);
     if (std::ranges::none_of(crack.bonds, &Bond::holds)) continue;
@@ -138,26 +104,8 @@ void ExplicitRun::store_bonds() {
     CohesiveFace face{{first, second, crack.first_corners, crack.second_corners}, crack.bonds};
     const double f = body_of(world_.mesh->tets[first][0]).explicit_state->similarity;
     for (Bond& bond : face.bonds) bond.force /= f, bond.critical *= f, bond.opening *= f;
-    world_.cohesive_faces.push_back(face);
+    add_cohesive_face(world_, face);
   }
-}
-
-/// Drops the bonds between pieces that the cracks since that event have separated entirely: pieces move on their own,
-/// whether microsteps still follow them together or not.
-void ExplicitRun::drop_parted_bonds(std::size_t first_event) {
-  std::set<BodyId> opened;
-  for (std::size_t i = first_event; i < world_.crack_events.size(); ++i) opened.insert(world_.crack_events[i].body);
-  std::vector<int> piece_of_slot(tets_.size(), -1);
-  int pieces = 0;
-  for (const BodyId body : opened)
-    for (const std::vector<TetId>& piece : connected_components(world_.mesh, world_.bodies[body].tets)) {
-      for (const TetId tet : piece) piece_of_slot[slot_of_tet_[tet]] = pieces;
-      ++pieces;
-    }
-  if (pieces > static_cast<int>(opened.size()))
-    contacts_->drop_bonds([&](const explicit_dynamics::CrackSides& crack) {
-      return piece_of_slot[crack.first_slot] != piece_of_slot[crack.second_slot];
-    });
 }
 
 }  // namespace griffith

@@ -195,9 +195,7 @@ void ExplicitRun::check_overload() {
       open(overload);
     }
   }
-  if (world_.crack_events.size() == first_event || rebuild_) return;
-  drop_parted_bonds(first_event);
-  contacts_->tie_edges(explicit_bodies_);
+  if (world_.crack_events.size() > first_event && !rebuild_) contacts_->tie_edges(explicit_bodies_);
 }
 
 /// Takes a node that has been overloaded for long enough among those that open. `last_check`: before this one [s].
@@ -340,8 +338,9 @@ void ExplicitRun::follow(const Overload& overload, std::span<const NodeCopy> cop
     for (int face = 0; face < 4; ++face) {
       const TetId was = neighbors[i][face];
       if (!was.valid() || mesh.neighbors[star[i]][face].valid() || was < star[i]) continue;
-      list_crack(contacts_->open(explicit_bodies_,
-                                 crack_sides(mesh, star[i], face, was, slot_of_tet_[star[i]], slot_of_tet_[was])));
+      const int crack = contacts_->open(
+          explicit_bodies_, crack_sides(mesh, star[i], face, was, slot_of_tet_[star[i]], slot_of_tet_[was]));
+      cracks_by_face_.add(*contacts_, crack);
     }
   for (const auto& [original, made] : parted)
     bond_copies(original, made, original == overload.node ? overload.utilization : 1);

@@ -18,13 +18,6 @@
 
 namespace griffith {
 
-void stop_vibration(WorldState& world, Body& body) {
-  const double before = energy_of(world, body);
-  clear_stress(body, world.elements, world.nodes);
-  make_rigid(world, body);
-  world.energy.regime_change += before - energy_of(world, body);
-}
-
 bool any_explicit(const WorldState& world) {
   return std::ranges::any_of(world.bodies, [](const Body& body) { return body.explicit_state.has_value(); });
 }
@@ -101,6 +94,12 @@ void begin_explicit_if_struck(WorldState& world, const std::vector<Impact>& impa
   }
 }
 
+/// Begins explicit dynamics of bodies with bonds that contacts have loaded.
+void begin_explicit_if_bonds_loaded(WorldState& world) {
+  for (Body& body : world.bodies)
+    if (std::exchange(body.bonds_loaded, false) && body.rigid) begin_explicit(world, body, 0);
+}
+
 /// Leaves the rest of the step to the implicit step.
 void cancel_explicit(WorldState& world) {
   for (Body& body : world.bodies) {
@@ -114,6 +113,7 @@ void cancel_explicit(WorldState& world) {
 }  // namespace
 
 double next_substep(WorldState& world, double left, StepImpacts& impacts) {
+  begin_explicit_if_bonds_loaded(world);
   std::vector<Impact> shared;
   if (!any_explicit(world)) {
     world.explicit_overhead = 1;
@@ -151,6 +151,7 @@ void end_explicit(WorldState& world, Body& body) {
   end_similarity(world, body);
   body.explicit_state.reset();
   body.explicit_ended = world.time;
+  body.depth = depth_of(world, body);
   world.contact_world.set_impact_speed(body.proxy, harmful_impact_speed(world, body));  // cracks may have begun in it
 }
 
@@ -174,7 +175,12 @@ void end_explicit_if_quiet(WorldState& world) {
     const double window = explicit_window(world, body);
     if (world.time - body.explicit_state->last_event < (1 - kRounding) * window) continue;
     end_explicit(world, body);
-    if (!body.supported() && !strained[body.id]) make_rigid_if_unharmed(world, body);
+    if (body.supported()) continue;
+    if (body.bonded) {
+      stop_vibration(world, body);  // its bonds hold, but do not act in implicit steps
+    } else if (!strained[body.id]) {
+      make_rigid_if_unharmed(world, body);
+    }
   }
 }
 

@@ -25,9 +25,6 @@ void begin_explicit_if_overloaded(WorldState& world);
 bool run_explicit(WorldState& world, std::vector<explicit_dynamics::Obstacle> obstacles, double duration,
                   double max_work);
 
-/// Makes a free piece rigid: its remaining vibration is damped at once.
-void stop_vibration(WorldState& world, Body& body);
-
 /// Returns a body to the implicit step, in the shape that its stress has under the full stiffness.
 void end_explicit(WorldState& world, Body& body);
 

@@ -6,6 +6,7 @@
 
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/bodies/bonded_pieces.h"
 #include "sim/world/contact/contact_phase.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/explicit/similarity.h"
@@ -58,7 +59,15 @@ void ExplicitRun::build(std::vector<explicit_dynamics::Obstacle> obstacles) {
   world_.report.relieved_tets = std::max(world_.report.relieved_tets, relieved);
   contacts_.emplace(explicit_bodies_, surface_of_bodies(), crack_sides(world_, tets_, group_ != 0),
                     std::move(obstacles), surfaces_, size);
-  restore_bonds();
+  find_cracks();
+}
+
+/// Finds the cracks of the contacts, and bonds them as they were.
+void ExplicitRun::find_cracks() {
+  cracks_by_face_ = CracksByFace(tets_.size());
+  for (int i = 0; i < contacts_->crack_count(); ++i) cracks_by_face_.add(*contacts_, i);
+  restore_bonds(world_, slot_of_tet_, explicit_bodies_, cracks_by_face_, *contacts_);
+  contacts_->tie_edges(explicit_bodies_);
 }
 
 void ExplicitRun::add_body(const Body& body, const ExternalForces& external) {
@@ -281,6 +290,9 @@ void ExplicitRun::finish(double duration) {
   for (const explicit_dynamics::ExplicitConstraint& held : explicit_bodies_.constraints())
     world_.nodes.reactions[nodes_[held.node]] =
         held.impulse / (duration * body_of(nodes_[held.node]).explicit_state->similarity);
+  const BondedPieces pieces(world_);
+  for (const BodyId id : bodies_)
+    if (world_.bodies[id].bonded && pieces.of(world_.bodies[id]).size() > 1) opened_.bodies.insert(id);
   if (!opened_.bodies.empty()) part_opened(world_, opened_);
   for (Body& body : world_.bodies) {
     if (!is_followed(body)) continue;

@@ -11,6 +11,7 @@
 #include "sim/explicit/explicit_bodies.h"
 #include "sim/explicit/microstep_contacts.h"
 #include "sim/world/conditions/loads.h"
+#include "sim/world/explicit/restored_bonds.h"
 #include "sim/world/fracture/fracture_phase.h"
 
 namespace griffith {
@@ -114,11 +115,8 @@ class ExplicitRun {
   void constrain_again();
   void bond_copies(NodeId original, std::span<const NodeId> made, double utilization);
   double front_stress(NodeId node) const;
-  void bond(const OpenFace& face, int corner, const Bond& bond);
-  void list_crack(int index);
-  void restore_bonds();
+  void find_cracks();
   void store_bonds();
-  void drop_parted_bonds(std::size_t first_event);
   void update_threshold(int index);
   void update_linear_states(std::span<const TetId> tets, const Body& body, std::vector<ElementState>& states);
   void update_quadratic_states(std::span<const TetId> tets, const Body& body);
@@ -153,8 +151,8 @@ class ExplicitRun {
   std::vector<int> local_of_node_, slot_of_tet_;         ///< -1 outside explicit dynamics
   std::vector<EdgeId> edges_;                            ///< per explicit edge
   std::vector<int> local_of_edge_;                       ///< -1 outside explicit dynamics
-  std::vector<int> crack_of_side_;                       ///< crack of the impacts per 4·slot + face; -1: none
-  std::vector<long> seen_;                               ///< per slot: microstep at which its state was made
+  CracksByFace cracks_by_face_;
+  std::vector<long> seen_;  ///< per slot: microstep at which its state was made
   std::vector<Overload> overloaded_;
   std::vector<TetId> stale_;
   std::vector<int> flagged_;

@@ -12,6 +12,7 @@
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/explicit/explicit_obstacles.h"
 #include "sim/world/explicit/explicit_run.h"
+#include "sim/world/explicit/restored_bonds.h"
 #include "sim/world/explicit/similarity.h"
 #include "sim/world/fracture/separation_phase.h"
 #include "sim/world/impacts/expected_impacts.h"
@@ -49,6 +50,7 @@ class Trial {
     contacts_.emplace(explicit_bodies_, surface_, crack_sides(world, parts_.tets, true), std::move(obstacles), laws_,
                       spacing());
     min_speed_ = std::max(min_speed_, min_impact_speed(world));
+    add_bonds();
   }
 
   /// Follows the impact; ends if they do not touch within `wait` [s].
@@ -68,6 +70,7 @@ class Trial {
   std::vector<std::array<int, 6>> add_edges(const Body& body);
   void add_surface(const Body& body);
   void add_obstacle(ProxyId object, double flight, std::vector<explicit_dynamics::Obstacle>& obstacles);
+  void add_bonds();
   double spacing() const { return element_size_ / static_cast<double>(laws_.size()); }
   bool approach(double wait);
   bool follow();
@@ -205,6 +208,18 @@ void Trial::add_obstacle(ProxyId object, double flight, std::vector<explicit_dyn
   }
 }
 
+/// Bonds cracks as they are, where bonds hold any.
+void Trial::add_bonds() {
+  if (world_.cohesive_faces.empty() || contacts_->crack_count() == 0) return;
+  std::vector<int> slot_of_tet(world_.mesh->tets.size(), -1);
+  for (int slot = 0; slot < static_cast<int>(parts_.tets.size()); ++slot)
+    if (parts_.tets[slot].valid()) slot_of_tet[parts_.tets[slot]] = slot;
+  CracksByFace cracks(parts_.tets.size());
+  for (int i = 0; i < contacts_->crack_count(); ++i) cracks.add(*contacts_, i);
+  restore_bonds(world_, slot_of_tet, explicit_bodies_, cracks, *contacts_);
+  contacts_->tie_edges(explicit_bodies_);
+}
+
 /// Moves the objects until they touch: nothing is deformed yet. Returns false if that takes longer than `wait` [s].
 bool Trial::approach(double wait) {
   constexpr double kMicrosteps = 4;  // in one of these steps
@@ -220,7 +235,7 @@ bool Trial::approach(double wait) {
 }
 
 /// Follows the waves until nothing has caused new ones for the duration of explicit dynamics. Returns true if a node
-/// may have separated.
+/// may have separated, or a crack has opened further.
 bool Trial::follow() {
   constexpr double kLongest = 32;  // in such windows: endless impacts are left to the shared microsteps
   explicit_bodies_.set_step(dt_);
@@ -231,6 +246,7 @@ bool Trial::follow() {
     explicit_bodies_.advance(1, flagged_);
     time_ += dt_;
     contacts_->resolve(explicit_bodies_, dt_, 0);
+    if (contacts_->have_bonds_opened()) return true;
     if (time_ - last_check_ > interval_ && check()) return true;
     if (note_impacts()) last_event_ = time_;
     if (time_ - last_event_ >= window_) return false;

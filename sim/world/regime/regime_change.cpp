@@ -56,6 +56,13 @@ void make_rigid(WorldState& world, Body& body) {
     body.reference_offsets.col(i) = back * world.edges.offsets[body.edges[i]];
 }
 
+void stop_vibration(WorldState& world, Body& body) {
+  const double before = energy_of(world, body);
+  clear_stress(body, world.elements, world.nodes);
+  make_rigid(world, body);
+  world.energy.regime_change += before - energy_of(world, body);
+}
+
 void place_rigid_nodes(const Body& body, NodeArrays& nodes, EdgeArrays& edges) {
   const RigidMotion& motion = body.motion;
   const Mat3 rotation = body.orientation.toRotationMatrix();

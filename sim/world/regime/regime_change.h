@@ -10,6 +10,8 @@ void set_ballistic(WorldState& world, Body& body, bool ballistic);
 void make_elastic(WorldState& world, Body& body);
 /// Takes the shape as it is now for that of a rigid body.
 void make_rigid(WorldState& world, Body& body);
+/// Makes a free piece rigid: its remaining vibration is damped at once.
+void stop_vibration(WorldState& world, Body& body);
 /// Moves the nodes of a rigid body to its motion and orientation.
 void place_rigid_nodes(const Body& body, NodeArrays& nodes, EdgeArrays& edges);
 /// Makes a body rigid and removes its stress. A free one keeps its momentum, a supported one stands still.

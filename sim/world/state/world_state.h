@@ -76,6 +76,8 @@ struct alignas(64) Body {
   std::vector<ConvexPart> collision_parts;  ///< convex parts of the proxy, for the frame [m]
   double highest_frequency = 0;             ///< [rad/s]; 0 until explicit integration asks for it
   double element_size = 0;                  ///< edge length of the cubes that six of its tets would fill, mean [m]
+  bool bonded = false;                      ///< parts of it hold together by bonds of opened faces alone
+  bool bonds_loaded = false;                ///< contacts load its bonds: microsteps follow it from the next substep on
   double depth = 0;                         ///< volume over surface at rest, half the thickness of a plate [m]
   double extent = 0;                        ///< longest edge of the box around it at rest [m]
   double weakest_fraction = 1;              ///< fraction of its material's resistance at its weakest node and plane [-]

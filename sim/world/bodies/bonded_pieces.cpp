@@ -1,0 +1,80 @@
+#include "sim/world/bodies/bonded_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sim/geometry/disjoint_sets.h"
+#include "sim/mesh/topology.h"
+#include "sim/world/energy/energy_phase.h"
+#include "sim/world/state/world_state.h"
+
+namespace griffith {
+namespace {
+
+/// Returns the part of each tet of a body, in the order of its tets.
+std::vector<int> part_of_tets(const Body& body, const std::vector<std::vector<TetId>>& parts) {
+  std::vector<int> part_of(body.tets.size());
+  for (std::size_t part = 0; part < parts.size(); ++part)
+    for (const TetId tet : parts[part])
+      part_of[std::ranges::lower_bound(body.tets, tet) - body.tets.begin()] = static_cast<int>(part);
+  return part_of;
+}
+
+/// Returns the fraction of the energy of an opened face that its bonds have not taken yet.
+double untaken_part(const CohesiveFace& face) {
+  double part = 0;
+  for (const Bond& bond : face.bonds)
+    if (bond.holds()) part += std::pow(1 - bond.opening / bond.critical, 2) / 3;
+  return part;
+}
+
+/// Counts the part of an opened face whose energy its bonds have not taken as crack area, or not. `sign`: 1 if it is
+/// free from now on, −1 if it is held.
+void account_held(WorldState& world, const CohesiveFace& face, double sign) {
+  const std::array<int, 3>& corners = face.face.first_corners;
+  const int opposite = 6 - corners[0] - corners[1] - corners[2];
+  account_crack(world, face.face.first, opposite, 2 * sign * untaken_part(face));  // both sides
+}
+
+}  // namespace
+
+BondedPieces::BondedPieces(const WorldState& world) : world_(world) {
+  if (world.cohesive_faces.empty()) return;
+  faces_.resize(world.bodies.size());
+  for (const CohesiveFace& face : world.cohesive_faces)
+    faces_[world.elements.bodies[face.face.first].index()].push_back(&face);
+}
+
+std::vector<std::vector<TetId>> BondedPieces::of(const Body& body) const {
+  const std::vector<std::vector<TetId>> parts = connected_components(world_.mesh, body.tets);
+  if (parts.size() == 1 || faces_.empty()) return parts;
+  const std::vector<int> part_of = part_of_tets(body, parts);
+  const auto part_at = [&](TetId tet) { return part_of[std::ranges::lower_bound(body.tets, tet) - body.tets.begin()]; };
+  std::vector<std::pair<int, int>> bonded;
+  for (const CohesiveFace* known : faces_[body.id.index()])
+    if (world_.elements.bodies[known->face.second] == body.id)
+      bonded.emplace_back(part_at(known->face.first), part_at(known->face.second));
+  const std::vector<int> groups = connected_groups(static_cast<int>(parts.size()), bonded);
+  std::vector<std::vector<TetId>> pieces(parts.size());
+  for (std::size_t part = 0; part < parts.size(); ++part)
+    pieces[groups[part]].insert(pieces[groups[part]].end(), parts[part].begin(), parts[part].end());
+  std::erase_if(pieces, [](const std::vector<TetId>& piece) { return piece.empty(); });
+  for (std::vector<TetId>& piece : pieces) std::ranges::sort(piece);
+  return pieces;
+}
+
+void add_cohesive_face(WorldState& world, const CohesiveFace& face) {
+  world.cohesive_faces.push_back(face);
+  account_held(world, face, -1);
+}
+
+void free_cohesive_faces(WorldState& world, const std::vector<bool>& is_freed) {
+  std::erase_if(world.cohesive_faces, [&](const CohesiveFace& face) {
+    if (!is_freed[face.face.first] && !is_freed[face.face.second]) return false;
+    account_held(world, face, 1);
+    return true;
+  });
+}
+
+}  // namespace griffith
