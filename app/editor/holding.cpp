@@ -140,9 +140,21 @@ std::optional<CriticalFactor> critical_speed_factor(const RunToCrack& run, const
       kLargestFactor);
 }
 
+namespace {
+
+/// Throws InputError if pieces were grabbed: their points are those of the present mesh.
+void require_no_grab(const RunToCrack& run) {
+  const auto grabs = [](const WorldInput& input) { return std::holds_alternative<Grab>(input.action); };
+  if (std::ranges::any_of(run.inputs, grabs))
+    throw InputError("the grab", "holds a point of the present mesh", "repeat it by hand with a thicker body");
+}
+
+}  // namespace
+
 std::optional<CriticalFactor> critical_thickness_factor(const RunToCrack& run, const Monitor& monitor) {
   const BodyDescription& body = run.scene.bodies[run.scene_body];
   if (!thickness_of(body.shape)) return std::nullopt;
+  require_no_grab(run);
   const std::size_t overlaps = overlaps_in(build(run.scene, monitor));
   return critical_factor(
       [&](double factor) {

@@ -66,8 +66,9 @@ void MacroRecorder::add(const ui::Command& command, MacroMoment now) {
   if (!is_recorded(command_info(command.name))) return;
   last_ = std::move(now);
   const std::string line = script_line(command);
-  const bool drags_on = command.name == "time.step" && !lines_.empty() && waiting_steps_ == 0 &&
-                        lines_.back().starts_with("command time.step ");
+  const bool drags = command.name == "time.step" || command.name == "simulation.drag_to";
+  const bool drags_on = drags && !lines_.empty() && waiting_steps_ == 0 &&
+                        lines_.back().starts_with("command " + std::string(command.name) + " ");
   if (drags_on) lines_.pop_back();
   add_line(line);
 }

@@ -1,6 +1,7 @@
 #include "app/editor/picking.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 
@@ -12,17 +13,51 @@
 
 namespace griffith::app {
 
+namespace {
+
+/// Place where a ray enters a tet.
+struct Entry {
+  double distance = 0;  ///< in lengths of the ray's direction
+  int face = 0;
+};
+
+std::array<Vec3, 3> face_corners(const ShownMesh& shown, TetId tet, int face) {
+  std::array<Vec3, 3> corners;
+  for (int i = 0; i < 3; ++i) corners[i] = shown.positions[shown.frame.elements.tets[tet][kTetFaces[face][i]]];
+  return corners;
+}
+
+std::optional<Entry> first_entry(const ShownMesh& shown, TetId tet, const Vec3& origin, const Vec3& direction) {
+  std::optional<Entry> first;
+  for (int face = 0; face < 4; ++face) {
+    const auto [a, b, c] = face_corners(shown, tet, face);
+    const std::optional<double> distance = triangle_hit(origin, direction, a, b, c);
+    if (distance && (!first || *distance < first->distance)) first = Entry{*distance, face};
+  }
+  return first;
+}
+
+}  // namespace
+
+Grab grabbed_point(const ShownMesh& shown, TetId tet, const render::Ray& ray) {
+  const Vec3 origin = ray.origin.cast<double>(), direction = ray.direction.cast<double>();
+  Grab grab;
+  grab.tet = tet.index();
+  const std::optional<Entry> entry = first_entry(shown, tet, origin, direction);
+  if (!entry) return grab;
+  const Vec3 on_face = closest_on_triangle(origin + entry->distance * direction, face_corners(shown, tet, entry->face));
+  grab.weights.setZero();
+  for (int i = 0; i < 3; ++i)
+    if (const int corner = kTetFaces[entry->face][i]; corner > 0) grab.weights[corner - 1] = on_face[i];
+  return grab;
+}
+
 NodeId nearest_corner(const ShownMesh& shown, TetId tet, const render::Ray& ray) {
   const Vec3 origin = ray.origin.cast<double>(), direction = ray.direction.cast<double>();
-  const auto corner = [&](int i) { return shown.positions[shown.frame.elements.tets[tet][i]]; };
-  std::optional<double> entry;
-  for (const auto& face : kTetFaces) {
-    const std::optional<double> t = triangle_hit(origin, direction, corner(face[0]), corner(face[1]), corner(face[2]));
-    if (t && (!entry || *t < *entry)) entry = t;
-  }
+  const std::optional<Entry> entry = first_entry(shown, tet, origin, direction);
   const auto distance = [&](NodeId node) {
     const Vec3 arm = shown.positions[node] - origin;
-    return (arm - entry.value_or(arm.dot(direction)) * direction).norm();
+    return (arm - (entry ? entry->distance : arm.dot(direction)) * direction).norm();
   };
   return *std::ranges::min_element(shown.frame.elements.tets[tet], {}, distance);
 }

@@ -2,6 +2,7 @@
 
 #include "app/picture/shown_mesh.h"
 #include "renderer/camera.h"
+#include "sim/scene/grab.h"
 #include "ui/model/editor_state.h"
 
 namespace griffith::app {
@@ -9,6 +10,9 @@ namespace griffith::app {
 /// Returns the corner of a tet nearest to the point where a ray enters it. If the ray misses the tet (its splinters may
 /// be drawn elsewhere), the corner nearest to the ray.
 NodeId nearest_corner(const ShownMesh& shown, TetId tet, const render::Ray& ray);
+
+/// Returns the point of a tet where a ray enters it, without a target; its centroid if the ray misses the tet.
+Grab grabbed_point(const ShownMesh& shown, TetId tet, const render::Ray& ray);
 
 /// Selects material of the frame, and its body.
 void select(ui::EditorState& state, const Frame& frame, const ui::Selection& selection);

@@ -37,6 +37,15 @@ std::string_view nothing_fired(const CommandContext& context) {
   return unless(context.state.last_shot.has_value(), "No shot has been fired since the last one was added.");
 }
 
+std::string_view without_motion(const CommandContext& context) {
+  return unless(context.history.scene().analysis == Analysis::dynamic,
+                "In a static analysis nothing moves; add a load, or make the analysis dynamic.");
+}
+
+std::string_view nothing_held(const CommandContext& context) {
+  return unless(context.state.holds_piece, "No piece is held; grab one first.");
+}
+
 /// True if the report on what would have held a node offers that command.
 bool is_offered(const CommandContext& context, std::string_view command) {
   return context.state.report &&
@@ -108,6 +117,14 @@ const EditorCommand kRunCommands[] = {
      [](Editor& e, const ui::Command& c) {
        e.run().fire(e.viewport().aimed_at(e.run().frame(), e.document().scene(), c.cursor).shot);
      }},
+    {{.name = "simulation.grab",
+      .label = "Grab",
+      .hint = "Grab pieces in the view with the left button and pull them by a spring while the simulation runs",
+      .menu = Menu::simulation,
+      .shortcut = {'D'},
+      .disabled_reason = without_motion,
+      .is_on = [](const CommandContext& context) { return context.state.grab_tool; }},
+     [](Editor& e, const ui::Command&) { toggle(e.state().grab_tool); }},
     {{.name = "simulation.keep_shot",
       .label = "Add last shot to scene",
       .hint = "Add the last shot to the scene and restart",
@@ -187,6 +204,25 @@ const EditorCommand kRunCommands[] = {
       .argument = CommandArgument::step,
       .recorded = false},
      [](Editor& e, const ui::Command& c) { e.run().make_steps(c.step); }},
+    {{.name = "simulation.grab_at",
+      .label = "Grab at a point",
+      .hint = "Grab the piece at a point of the view; a left drag with the tool Grab",
+      .disabled_reason = without_motion,
+      .argument = CommandArgument::cursor},
+     [](Editor& e, const ui::Command& c) {
+       if (const std::optional<Grab> grab = e.viewport().grabbed_at(e.run().shown(), c.cursor)) e.run().grab(*grab);
+     }},
+    {{.name = "simulation.drag_to",
+      .label = "Drag to a point",
+      .hint = "Pull the grabbed piece to a point of the view, in a plane parallel to it",
+      .disabled_reason = nothing_held,
+      .argument = CommandArgument::cursor},
+     [](Editor& e, const ui::Command& c) { e.run().drag(e.viewport().dragged_to(e.run().target(), c.cursor)); }},
+    {{.name = "simulation.release",
+      .label = "Release",
+      .hint = "Let go of the grabbed piece",
+      .disabled_reason = nothing_held},
+     [](Editor& e, const ui::Command&) { e.run().release(); }},
     {{.name = "time.step",
       .label = "Go to step",
       .hint = "Go to a step of the recorded past",

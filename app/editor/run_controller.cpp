@@ -35,6 +35,7 @@ void RunController::begin(BuiltWorld built) {
   warnings_ = std::move(built.warnings);
   ++world_count_;
   travel_.reset();
+  let_go();
   state_.comparison.branch.reset();
   utilizations_.clear();
   run_history_.restart(frame());
@@ -107,6 +108,7 @@ void RunController::make_due_steps(double elapsed) {
 
 void RunController::begin_background_step(bool is_last) {
   if (document_.history().editing()) follow_materials();  // a slider being dragged acts from step to step
+  follow_grab();
   NextStep next = timeline_.before_step();
   adopt_materials();  // those of the replayed past
   std::optional<StepPicture> picture;
@@ -124,6 +126,7 @@ bool RunController::end_background_step(BackgroundStep::Clock::time_point deadli
 
 void RunController::step() {
   if (background_.fits(step_start())) return take_step(background_.take());
+  follow_grab();
   std::optional<World> before;
   timeline_.advance(watches() ? &before : nullptr);
   follow_step(std::move(before), std::nullopt);
@@ -183,6 +186,32 @@ void RunController::fire(ProjectileBurst shot) {
     log_message(state_, ui::LogLevel::info, "Fired. Press Space to run the simulation.", ui::LogSpan::action);
 }
 
+void RunController::grab(const Grab& grab) {
+  timeline_.grab(grab);
+  leave_state();
+  dragged_to_.reset();
+  state_.holds_piece = true;
+}
+
+void RunController::drag(const Vec3& target) { dragged_to_ = target; }
+
+void RunController::release() {
+  if (frame().grab) timeline_.release();
+  leave_state();
+  let_go();
+}
+
+void RunController::let_go() {
+  dragged_to_.reset();
+  state_.holds_piece = false;
+}
+
+void RunController::follow_grab() {
+  if (!frame().grab) return let_go();
+  if (dragged_to_) timeline_.move_grab(*std::exchange(dragged_to_, std::nullopt));
+  if (!state_.holds_piece && timeline_.step() == timeline_.last_step()) timeline_.release();
+}
+
 void RunController::follow_materials() {
   const std::vector<BodyDescription>& bodies = document_.scene().bodies;
   const Frame now = frame();
@@ -230,6 +259,7 @@ std::vector<ui::UtilizationSample> RunController::utilizations() const {
 
 void RunController::describe(ui::EditorInput& input) const {
   input.time = time_view();
+  if (dragged_to_ && input.frame.grab) input.frame.grab->target = *dragged_to_;
   input.series = run_history_.series();
   input.time_step = document_.scene().simulation.time_step;
   input.step_milliseconds = 1000 * pace_.step_seconds();

@@ -53,6 +53,13 @@ class RunController {
   /// True if a step is in progress in the background.
   bool steps_in_background() const { return background_.pending(); }
   void fire(ProjectileBurst shot);
+  /// Pulls a piece by a spring until release().
+  void grab(const Grab& grab);
+  /// Moves the target of the grab before the next step [m].
+  void drag(const Vec3& target);
+  void release();
+  /// Returns the target of the grab, which must exist [m].
+  Vec3 target() const { return dragged_to_ ? *dragged_to_ : frame().grab->target; }
   /// Applies the scene's materials. A material that the world does not accept is undone, with an error.
   void follow_materials();
 
@@ -94,6 +101,10 @@ class RunController {
   void begin_background_step(bool is_last);
   /// Waits for the background step. True if it is finished by then. It is discarded if the world has changed meanwhile.
   bool end_background_step(BackgroundStep::Clock::time_point deadline);
+  /// Forgets the grab without an input.
+  void let_go();
+  /// Moves the grab before a step to its target, or ends one of the repeated past that nobody holds any more.
+  void follow_grab();
   /// Returns the starting point of a background step.
   BackgroundStep::Start step_start() const { return {world_count_, timeline_.revision()}; }
   void take_step(BackgroundStep::Made made);
@@ -120,6 +131,7 @@ class RunController {
   std::vector<InputError> warnings_;
   std::int64_t world_count_ = 0;        ///< number of worlds shown so far
   std::int64_t arrivals_ = 0;           ///< number of jumps to another time
+  std::optional<Vec3> dragged_to_;      ///< target of the grab from the next step on [m]
   std::optional<ui::StepSpan> travel_;  ///< past steps being recomputed, from the first to the last
   RunHistory run_history_;
   UtilizationHistory utilizations_;

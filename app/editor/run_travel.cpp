@@ -38,6 +38,7 @@ void RunController::go_to_nearest(std::int64_t step) {
 
 void RunController::approach(int branch, std::int64_t step) {
   document_.history().finish();
+  let_go();
   if (branch != timeline_.branch()) {
     utilizations_.clear();
     if (state_.comparison.branch == branch) state_.comparison.branch = timeline_.branch();  // the two branches swap

@@ -166,16 +166,46 @@ render::Ray Viewport::ray_at(const Vec2& cursor, int width, int height) const {
                            static_cast<float>(cursor.y() * height), width, height);
 }
 
+TetId Viewport::tet_at(const Frame& frame, const Vec2& cursor) const {
+  const std::int32_t id =
+      renderer_.id_at(static_cast<int>(cursor.x() * drawn_.width), static_cast<int>(cursor.y() * drawn_.height));
+  return id >= 0 && static_cast<std::size_t>(id) < frame.elements.tets.size() ? TetId(id) : TetId();
+}
+
 void Viewport::pick(const ShownWorld& world, const Vec2& cursor) {
   state_.entries.clear();
   state_.selection = {};
   const Frame& frame = world.frame;
-  const std::int32_t id =
-      renderer_.id_at(static_cast<int>(cursor.x() * drawn_.width), static_cast<int>(cursor.y() * drawn_.height));
-  if (id < 0 || static_cast<std::size_t>(id) >= frame.elements.tets.size()) return;
+  const TetId tet = tet_at(frame, cursor);
+  if (!tet.valid()) return;
   const ShownMesh shown = shown_mesh(frame, state_.view, {}, hidden_bodies(state_, world.scene));
   const render::Ray ray = ray_at(cursor, drawn_.width, drawn_.height);
-  select(state_, frame, ui::select(frame, TetId(id), nearest_corner(shown, TetId(id), ray)));
+  select(state_, frame, ui::select(frame, tet, nearest_corner(shown, tet, ray)));
+}
+
+std::optional<Grab> Viewport::grabbed_at(const ShownWorld& world, const Vec2& cursor) {
+  const TetId tet = tet_at(world.frame, cursor);
+  if (!tet.valid()) return std::nullopt;
+  const ShownMesh shown = shown_mesh(world.frame, state_.view, {}, hidden_bodies(state_, world.scene));
+  Grab grab = grabbed_point(shown, tet, ray_at(cursor, drawn_.width, drawn_.height));
+  grab.spring = state_.grab_spring;
+  const std::array<NodeId, 4>& corners = world.frame.elements.tets[tet];
+  const auto point_in = [&](std::span<const Vec3> positions) {
+    Vec3 point = (1 - grab.weights.sum()) * positions[corners[0]];
+    for (int i = 0; i < 3; ++i) point += grab.weights[i] * positions[corners[i + 1]];
+    return point;
+  };
+  grab.target = point_in(world.frame.nodes.positions);
+  grab_offset_ = point_in(shown.positions) - grab.target;
+  return grab;
+}
+
+Vec3 Viewport::dragged_to(const Vec3& target, const Vec2& cursor) const {
+  const render::Ray ray = ray_at(cursor, size().x(), size().y());
+  const Vec3 eye = ray.origin.cast<double>(), direction = ray.direction.cast<double>();
+  const Vec3 sight = (camera_.target - camera_.position).cast<double>();
+  const double depth = sight.dot(target + grab_offset_ - eye) / sight.dot(direction);
+  return eye + depth * direction - grab_offset_;
 }
 
 AimedShot Viewport::aimed_at(const Frame& frame, const Scene& scene, const Vec2& cursor) const {

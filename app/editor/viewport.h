@@ -76,6 +76,11 @@ class Viewport {
 
   /// Selects the element at a point of the view, from its top left corner, 0..1.
   void pick(const ShownWorld& world, const Vec2& cursor);
+  /// Returns a grab of the material at a point of the view; empty if there is none.
+  std::optional<Grab> grabbed_at(const ShownWorld& world, const Vec2& cursor);
+  /// Returns the target of a grab at `target` after the mouse has come to a point of the view: on a plane parallel to
+  /// the picture.
+  Vec3 dragged_to(const Vec3& target, const Vec2& cursor) const;
   /// Returns the shot of the projectile tool at a point of the view. `scene`: the edited one.
   AimedShot aimed_at(const Frame& frame, const Scene& scene, const Vec2& cursor) const;
   /// Returns the flight of the shot being aimed; empty if there is none.
@@ -121,6 +126,8 @@ class Viewport {
   render::Camera picture_camera() const { return render::widen(camera_, aspect()); }
   /// Draws the current picture in full or draft quality.
   void render(bool draft, std::optional<int> samples);
+  /// Returns the drawn tet at a point of the view; invalid if there is none.
+  TetId tet_at(const Frame& frame, const Vec2& cursor) const;
   render::Ray ray_at(const Vec2& cursor, int width, int height) const;
   /// Moves the camera along its line of sight and sideways until the picture shows all of the box.
   void look_at(const Eigen::AlignedBox3f& bounds);
@@ -139,6 +146,8 @@ class Viewport {
   PictureKey drawn_;
   PictureKey legend_placed_;  ///< picture for which the legend was placed
   ui::LegendCorner legend_corner_ = {};
+  Vec3 grab_offset_ =
+      Vec3::Zero();        ///< displacement of the grabbed point in the picture, as pieces are moved apart [m]
   bool laid_out_ = false;  ///< the size of the picture is known
 };
 

@@ -13,7 +13,7 @@ constexpr char kReadme[] =
     "\n"
     "scene.json      the scene at the start of the run\n"
     "assets/         its files, and the meshes of its surfaces\n"
-    "inputs.json     shots and changes of material, with their steps\n"
+    "inputs.json     shots, grabs and changes of material, with their steps\n"
     "hashes.csv      hashes of the state after each step, by field\n"
     "versions.json   versions of the program and its libraries\n"
     "log.txt         messages\n"

@@ -62,6 +62,20 @@ void prepare(Point& point, const Block& block, const RigidContact& contact, cons
 
 }  // namespace
 
+std::vector<Motion> motions_of(std::span<const RigidBody> bodies) {
+  std::vector<Motion> motions(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    motions[i] = {Triple(bodies[i].velocity),
+                  Triple(bodies[i].spin),
+                  bodies[i].moves,
+                  bodies[i].is_hinged,
+                  bodies[i].inverse_mass,
+                  Symmetric(bodies[i].inverse_inertia),
+                  Triple(),
+                  Triple()};
+  return motions;
+}
+
 RigidRows::RigidRows(std::span<const Motion> motions, std::span<const RigidContact> contacts, const RigidGroup& group,
                      double substep) {
   for (std::size_t i = 0; i < group.contacts.size(); ++i) {

@@ -34,6 +34,9 @@ struct Motion {
   }
 };
 
+/// Returns the motions of bodies as a step begins.
+std::vector<Motion> motions_of(std::span<const RigidBody> bodies);
+
 /// Contact as the substeps need it, in the order in which sweeps read it. Impulses are along the block's axes, on a.
 struct Point {
   Triple arm_a, arm_b;

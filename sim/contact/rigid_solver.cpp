@@ -5,21 +5,19 @@
 #include <cmath>
 #include <numeric>
 
+#include "sim/contact/rigid_overlaps.h"
 #include "sim/contact/rigid_rows.h"
+#include "sim/contact/rigid_sweeps.h"
 #include "sim/core/parallel.h"
 
 namespace griffith::contact {
 namespace {
 
 constexpr int kSubsteps = 8;
-/// Fraction of an overlap, beyond the remaining one, that is removed in a step; it is less for small ones, so that
-/// rocking objects come to rest, and is reached at this multiple of the remaining overlap.
-constexpr double kPushedOut = 0.2, kFullyPushed = 4;
-constexpr int kPushSweeps = 10;
-/// Velocity change below which a substep is solved, as a fraction of that by external forces, and its largest work:
-/// rows times sweeps. A group without memory must find all of its impulses.
+/// Fraction of an overlap, beyond the remaining one, that is removed in a step.
+constexpr double kPushedOut = 0.2;
+/// Velocity change below which a substep is solved, as a fraction of that by external forces.
 constexpr double kResidual = 1e-3;
-constexpr int kWork = 1'000, kMaxSweeps = 8, kColdWork = 60'000, kMaxColdSweeps = 200;
 /// Velocity change below which impacts are solved, as a fraction of the highest velocity, and their largest work.
 constexpr double kTolerance = 1e-6;
 constexpr int kImpactSweeps = 60, kMinImpactSweeps = 4, kImpactWork = 12'000;
@@ -42,6 +40,7 @@ class GroupStep {
         dt_(dt),
         h_(dt / kSubsteps),
         rows_(motions, contacts, group, h_),
+        sweeps_(motions, rows_),
         is_cold_(rows_.is_cold()) {
     for (const int i : group_.bodies) acceleration_ = std::max(acceleration_, bodies_[i].acceleration.norm());
   }
@@ -51,25 +50,13 @@ class GroupStep {
     for (int substep = 0; substep < kSubsteps; ++substep) {
       for (const int i : group_.bodies) accelerate(i);
       substep == 0 ? start_from_memory() : start_all(substep * h_);
-      sweeps += relax_all();
+      sweeps += sweeps_.solve(kResidual * h_ * acceleration_, is_cold_);
       for (const int i : group_.bodies) move(i);
     }
     sweeps += rebound();
-    push_apart(kPushedOut);
+    push_apart(motions_, rows_, kPushedOut);
     finish();
     return static_cast<int>(rows_.points.size()) * sweeps;
-  }
-
-  /// Moves objects out of overlaps at the start.
-  void only_push(double whole_share) {
-    for (Point& point : rows_.points) point.gap = point.distance;
-    push_apart(whole_share);
-    for (const Block& block : rows_.blocks)
-      for (const int side : {block.a, block.b}) {
-        if (!motions_[side].moves) continue;
-        bodies_[side].push = motions_[side].push_velocity.vector();
-        bodies_[side].push_rotation = motions_[side].push_spin.vector();
-      }
   }
 
  private:
@@ -84,47 +71,13 @@ class GroupStep {
   /// energy. Forces of an impact must not drive bodies apart: there may be too few sweeps to take them back.
   void start_from_memory() {
     if (is_cold_) return start_all(0);
-    const double before = power_of_impulses();
+    const double before = sweeps_.power_of_impulses();
     start_all(0);
-    const double after = power_of_impulses();
+    const double after = sweeps_.power_of_impulses();
     if (before + after <= 0) return;
     const double share = std::clamp(-before / (after - before), 0.0, 1.0);
-    scale_impulses(share);
+    sweeps_.scale_impulses(share);
     is_cold_ = share == 0;
-  }
-
-  /// Returns the derivative of the energy of motion by a common factor of all impulses [J].
-  double power_of_impulses() const {
-    double sum = 0;
-    for (const Block& block : rows_.blocks)
-      for (int i = block.begin; i < block.end; ++i) {
-        const Point& point = rows_.points[i];
-        const Triple velocity = relative_velocity(motions_[block.a], motions_[block.b], point);
-        sum += point.normal * dot(block.normal, velocity) + point.first * dot(block.first, velocity) +
-               point.second * dot(block.second, velocity);
-      }
-    return sum;
-  }
-
-  void scale_impulses(double share) {
-    for (const Block& block : rows_.blocks)
-      for (int i = block.begin; i < block.end; ++i) {
-        Point& point = rows_.points[i];
-        const Triple change = (share - 1) * Triple{point.normal, point.first, point.second};
-        push_sides(block, point, change);
-        point.normal += change.x, point.first += change.y, point.second += change.z;
-      }
-  }
-
-  static Triple relative_velocity(const Motion& a, const Motion& b, const Point& point) {
-    return a.velocity + cross(a.spin, point.arm_a) - b.velocity - cross(b.spin, point.arm_b);
-  }
-
-  /// Applies an impulse along the axes of a block to its sides.
-  void push_sides(const Block& block, const Point& point, const Triple& along_axes) const {
-    const Triple impulse = along_axes.x * block.normal + along_axes.y * block.first + along_axes.z * block.second;
-    if (motions_[block.a].moves) motions_[block.a].push(point.arm_a, impulse);
-    if (motions_[block.b].moves) motions_[block.b].push(point.arm_b, -impulse);
   }
 
   void start_all(double time) {
@@ -156,124 +109,6 @@ class GroupStep {
     }
     if (a_moves) motions_[block.a] = a;
     if (b_moves) motions_[block.b] = b;
-  }
-
-  /// Returns the sweeps.
-  int relax_all() {
-    const int count = static_cast<int>(rows_.points.size());
-    const int most =
-        is_cold_ ? std::clamp(kColdWork / count, 1, kMaxColdSweeps) : std::clamp(kWork / count, 1, kMaxSweeps);
-    if (most == 1) {
-      rows_.for_each_block([&](Block& block) { relax(block); });
-      return 1;
-    }
-    double last_size = 0;
-    for (Point& point : rows_.points) point.direction = Triple();
-    for (int done = 1;; ++done) {
-      for (Point& point : rows_.points) point.before = {point.normal, point.first, point.second};
-      double change = 0;
-      for (Block& block : rows_.blocks) change = std::max(change, relax(block));
-      if (done == most || change <= kResidual * h_ * acceleration_) return done;
-      last_size = extrapolate(last_size);
-    }
-  }
-
-  /// Extrapolates a sweep along the conjugate direction, unless the sweeps do not converge (Silcowitz, Niebe & Erleben
-  /// 2010). Returns the size of the sweep's change.
-  double extrapolate(double last_size) {
-    double size = 0;
-    for (const Point& point : rows_.points) {
-      const Triple step = Triple{point.normal, point.first, point.second} - point.before;
-      size += dot(step, step) / point.inverse_normal;
-    }
-    const double share = size < last_size ? size / last_size : 0;
-    for (const Block& block : rows_.blocks)
-      for (int i = block.begin; i < block.end; ++i) {
-        Point& point = rows_.points[i];
-        const Triple more = share * point.direction;
-        point.direction = Triple{point.normal, point.first, point.second} - point.before + more;
-        if (dot(more, more) == 0) continue;
-        point.normal += more.x, point.first += more.y, point.second += more.z;
-        push_sides(block, point, more);
-      }
-    return size;
-  }
-
-  /// Solves a block's points in sequence for the others' present impulses, so that its sides separate at least at the
-  /// target and friction stops sliding within its disc. Returns the largest change of a normal velocity.
-  double relax(Block& block) {
-    Motion a = motions_[block.a], b = motions_[block.b];
-    double largest = 0;
-    for (int i = block.begin; i < block.end; ++i) {
-      Point& point = rows_.points[i];
-      const Triple velocity = relative_velocity(a, b, point);
-      const double along = dot(block.normal, velocity) - point.target;
-      if (point.normal == 0 && along >= 0) continue;
-      const double next = std::max(0.0, point.normal - point.inverse_normal * along), change = next - point.normal;
-      Triple impulse = change * block.normal;
-      point.normal = next;
-      if (block.friction > 0) impulse += friction_change(block, point, velocity, change);
-      a.push(point.arm_a, impulse);
-      b.push(point.arm_b, -impulse);
-      largest = std::max(largest, std::abs(change) / point.inverse_normal);
-    }
-    if (a.moves) motions_[block.a].velocity = a.velocity, motions_[block.a].spin = a.spin;
-    if (b.moves) motions_[block.b].velocity = b.velocity, motions_[block.b].spin = b.spin;
-    return largest;
-  }
-
-  /// Returns the change of the tangential impulse: that which stops the sliding, or the largest one allowed against it.
-  static Triple friction_change(const Block& block, Point& point, const Triple& velocity, double change) {
-    const double limit = block.friction * point.normal;
-    const double x = dot(block.first, velocity) + change * point.couple_x,
-                 y = dot(block.second, velocity) + change * point.couple_y;
-    double next_x = point.first - (point.xx * x + point.xy * y), next_y = point.second - (point.xy * x + point.yy * y);
-    if (next_x * next_x + next_y * next_y > limit * limit) {
-      next_x = point.first - point.inverse_largest * x;
-      next_y = point.second - point.inverse_largest * y;
-      const double length = std::sqrt(next_x * next_x + next_y * next_y);
-      if (length > limit) {
-        next_x *= limit / length;
-        next_y *= limit / length;
-      }
-    }
-    const Triple impulse = (next_x - point.first) * block.first + (next_y - point.second) * block.second;
-    point.first = next_x;
-    point.second = next_y;
-    return impulse;
-  }
-
-  /// Takes out a share of the overlaps by displacements that let nothing else overlap, beside the true velocities.
-  void push_apart(double whole_share) {
-    bool any = false;
-    for (Block& block : rows_.blocks) {
-      for (int i = block.begin; i < block.end; ++i) {
-        Point& point = rows_.points[i];
-        const double overlap = -point.resting - point.gap;
-        const double share = whole_share * std::min(1.0, overlap / (kFullyPushed * point.resting));
-        point.target = overlap > 0 ? share * overlap : overlap;
-        block.overlaps |= overlap > 0;
-      }
-      any |= block.overlaps;
-    }
-    for (int sweep = 0; any && sweep < kPushSweeps; ++sweep)
-      rows_.for_each_block([&](Block& block) { push_apart(block); });
-  }
-
-  void push_apart(Block& block) {
-    Motion &a = motions_[block.a], &b = motions_[block.b];
-    if (!block.overlaps && !a.is_pushed_out() && !b.is_pushed_out()) return;
-    for (int i = block.begin; i < block.end; ++i) {
-      Point& point = rows_.points[i];
-      const double moved = dot(block.normal, a.push_velocity + cross(a.push_spin, point.arm_a) - b.push_velocity -
-                                                 cross(b.push_spin, point.arm_b));
-      const double next = std::max(0.0, point.pushed + point.inverse_normal * (point.target - moved)),
-                   pushed = next - point.pushed;
-      if (pushed == 0) continue;
-      point.pushed = next;
-      a.push_out(point.arm_a, pushed * block.normal);
-      b.push_out(point.arm_b, -pushed * block.normal);
-    }
   }
 
   void move(int i) const {
@@ -321,10 +156,7 @@ class GroupStep {
     if (fastest == 0) return 0;
     const int sweeps = std::clamp(kImpactWork / static_cast<int>(rows_.points.size()), kMinImpactSweeps, kImpactSweeps);
     int done = 0;
-    for (double change = fastest; done < sweeps && change > kTolerance * fastest; ++done) {
-      change = 0;
-      for (Block& block : rows_.blocks) change = std::max(change, relax(block));
-    }
+    for (double change = fastest; done < sweeps && change > kTolerance * fastest; ++done) change = sweeps_.sweep();
     for (Point& point : rows_.points) point.total += Triple{point.normal, point.first, point.second};
     return done;
   }
@@ -361,23 +193,10 @@ class GroupStep {
   const RigidGroup& group_;
   double dt_, h_;
   RigidRows rows_;
+  RigidSweeps sweeps_;
   bool is_cold_;
   double acceleration_ = 0;  // the largest by external forces [m/s²]
 };
-
-std::vector<Motion> motions_of(std::span<const RigidBody> bodies) {
-  std::vector<Motion> motions(bodies.size());
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    motions[i] = {Triple(bodies[i].velocity),
-                  Triple(bodies[i].spin),
-                  bodies[i].moves,
-                  bodies[i].is_hinged,
-                  bodies[i].inverse_mass,
-                  Symmetric(bodies[i].inverse_inertia),
-                  Triple(),
-                  Triple()};
-  return motions;
-}
 
 }  // namespace
 
@@ -390,14 +209,6 @@ int solve_rigid(std::span<RigidBody> bodies, std::span<RigidContact> contacts, s
     for (int i = begin; i < end; ++i) work[i] = GroupStep(bodies, motions, turns, contacts, groups[i], dt).solve();
   });
   return std::accumulate(work.begin(), work.end(), 0);
-}
-
-void push_apart(std::span<RigidBody> bodies, std::span<RigidContact> contacts, std::span<const RigidGroup> groups,
-                double share) {
-  std::vector<Motion> motions = motions_of(bodies);
-  parallel_for(static_cast<int>(groups.size()), 1, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) GroupStep(bodies, motions, {}, contacts, groups[i], 1).only_push(share);
-  });
 }
 
 }  // namespace griffith::contact

@@ -52,9 +52,4 @@ struct RigidGroup {
 int solve_rigid(std::span<RigidBody> bodies, std::span<RigidContact> contacts, std::span<const RigidGroup> groups,
                 double dt);
 
-/// Takes a share (0..1] of overlaps out of groups of bodies by displacements alone: writes `push` and `push_rotation`.
-/// Of each contact one body at least has to move.
-void push_apart(std::span<RigidBody> bodies, std::span<RigidContact> contacts, std::span<const RigidGroup> groups,
-                double share);
-
 }  // namespace griffith::contact

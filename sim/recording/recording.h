@@ -18,7 +18,7 @@ class World;
 /// Run that can be repeated anywhere and compared step by step. Its file is a tar archive, compressed by Zstandard, of
 ///   scene.json     scene of the world; opens like any other
 ///   assets/        files of the scene, and the meshes that filled its surfaces
-///   inputs.json    shots and changes of material, with their steps
+///   inputs.json    shots, grabs and changes of material, with their steps
 ///   hashes.csv     hashes of the state, one row per step, starting with step 0
 ///   versions.json  versions of program and system
 /// and any extras.

@@ -9,7 +9,6 @@
 #include "sim/scene/shape_fields.h"
 #include "sim/scene/splinter_fields.h"
 #include "sim/scene/view_fields.h"
-#include "sim/scene/world_input.h"
 
 // Table of all fields of a scene: name, member, values and meaning. An archive (the reader, the writer, the maker of
 // the schema) is passed to describe() with a value and gets a call per field:
@@ -282,20 +281,6 @@ void describe(Archive& archive, ProjectileBurst& burst) {
                   "remove one of them");
   archive.require(!burst.shape || burst.radius == ProjectileBurst{}.radius, "radius", "is set together with a shape",
                   "remove one of them: only spheres have a radius");
-}
-
-template <class Archive>
-void describe(Archive& archive, MaterialChange& change) {
-  archive.field("scene_body", change.scene_body, between(0, 10000), "Index of the body in the scene");
-  archive.field("material", change.material, MaterialChoice{}, "Material from then on");
-}
-
-template <class Archive>
-void describe(Archive& archive, WorldInput& input) {
-  archive.field("step", input.step, between(0, kMaxSteps), "Number of steps before it");
-  archive.template alternative<ProjectileBurst>("fire", input.action, Parts{},
-                                                "Burst with a start relative to that time");
-  archive.template alternative<MaterialChange>("set_material", input.action, Parts{}, "Change of material");
 }
 
 template <class Archive>

@@ -7,6 +7,7 @@
 
 #include "sim/core/file_content.h"
 #include "sim/scene/apply_setting.h"
+#include "sim/scene/input_fields.h"
 #include "sim/scene/json_document.h"
 #include "sim/scene/read_value.h"
 #include "sim/scene/scene_fields.h"

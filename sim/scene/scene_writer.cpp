@@ -5,6 +5,7 @@
 
 #include "sim/core/error.h"
 #include "sim/core/replace_file.h"
+#include "sim/scene/input_fields.h"
 #include "sim/scene/json_values.h"
 #include "sim/scene/scene_fields.h"
 #include "sim/scene/scene_in_full.h"

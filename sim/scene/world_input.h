@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim/scene/grab.h"
 #include "sim/scene/scene.h"
 
 namespace griffith {
@@ -20,7 +21,7 @@ struct MaterialChange {
 /// Input to a world from outside, before the step after `step`.
 struct WorldInput {
   std::int64_t step = 0;
-  std::variant<ProjectileBurst, MaterialChange> action;
+  std::variant<ProjectileBurst, MaterialChange, Grab, GrabMove, GrabRelease> action;
   bool operator==(const WorldInput&) const = default;
 };
 

@@ -32,24 +32,24 @@ class ContactSolver {
         motion_(bodies_, deformable, contacts),
         preconditioner_(bodies_, deformable, rigid, contacts),
         response_(bodies_, motion_, deformable, rigid, contacts, kNewtonFraction * tolerance.relative,
-                  tolerance.max_iterations),
-        y_(Eigen::VectorXd::Zero(bodies_.size())),
-        a_y_(y_),
-        u_(3, contacts.size()),
-        impulses_(3, contacts.size()),
-        lifts_(contacts.size()),
-        beyond_(Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(contacts.size()))) {
+                  tolerance.max_iterations) {
+    const auto count = static_cast<Eigen::Index>(contacts.size());
+    round_.y = round_.a_y = Eigen::VectorXd::Zero(bodies_.size());
+    round_.u.resize(3, count);
+    round_.impulses.resize(3, count);
+    round_.lifts.resize(count);
+    round_.beyond = Eigen::Matrix3Xd::Zero(3, count);
+    round_.violations.assign(contacts.size(), std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const FrictionContact& contact = contacts[i];
-      u_.col(i) = contact.free_velocity;
-      impulses_.col(i) = contact.impulse;
-      lifts_[i] = contact.friction * contact.free_velocity.tail<2>().norm();
+      round_.u.col(i) = contact.free_velocity;
+      round_.impulses.col(i) = contact.impulse;
+      round_.lifts[i] = contact.friction * contact.free_velocity.tail<2>().norm();
       course_.push_back(softness_of(deformable, rigid, contact));
-      softness_.push_back(course_[i].first);
+      round_.softness.push_back(course_[i].first);
       to_change_ = std::max(to_change_, contact.target_velocity - contact.free_velocity[0]);
     }
-    violations_.assign(contacts.size(), std::numeric_limits<double>::infinity());
-    outer_change_ = to_change_;
+    round_.outer_change = to_change_;
   }
 
   ContactSolveReport solve() {
@@ -57,24 +57,25 @@ class ContactSolver {
     for (int round = 1;; ++round) {
       const bool is_last = round >= tolerance_.max_rounds;
       const Minimum found = minimize(is_last);
-      RoundChanges changes = finish_round();
-      if (found == Minimum::none) report_.unconverged = static_cast<int>(contacts_.size());
+      finish_round();
+      if (found == Minimum::none) round_.unconverged = static_cast<int>(contacts_.size());
       if (stiffness_.empty()) break;  // no factors: impulses would grow from round to round, and move nothing
-      if (report_.unconverged == 0 && found == Minimum::exact) responded = respond();
+      if (round_.unconverged == 0 && found == Minimum::exact) responded = respond();
       if (responded) break;
-      if (outer_change_ <= best_.outer_change) remember(changes);
-      const bool goes_back = (is_coupled_ || is_last) && outer_change_ > best_.outer_change;
-      if (goes_back) changes = go_back();
+      if (round_.outer_change <= best_.outer_change) best_ = round_;
+      const bool goes_back = (is_coupled_ || is_last) && round_.outer_change > best_.outer_change;
+      if (goes_back) go_back();
       if (is_last) break;
       if (goes_back) linearize();
-      if (changes.hardens)
-        lifts_ = changes.lifts;
+      if (round_.hardens)
+        round_.lifts = round_.found_lifts;
       else
-        begin_round(std::move(changes));
+        begin_round();
     }
-    if (report_.unconverged > 0) settle_for_impulses();
+    if (round_.unconverged > 0) settle_for_impulses();
     if (!responded) respond();
-    for (std::size_t i = 0; i < contacts_.size(); ++i) contacts_[i].impulse = impulses_.col(i);
+    for (std::size_t i = 0; i < contacts_.size(); ++i) contacts_[i].impulse = round_.impulses.col(i);
+    report_.unconverged = round_.unconverged;
     return report_;
   }
   const NodeVectors& change(std::size_t body) const { return response_.change(body); }
@@ -90,8 +91,8 @@ class ContactSolver {
 
   ConeProjection project(std::size_t i, const Vec3& u) const {
     Vec3 missing = -u;
-    missing[0] += contacts_[i].target_velocity - lifts_[i];
-    return project_on_cone(impulses_.col(i) + missing / softness_[i], contacts_[i].friction);
+    missing[0] += contacts_[i].target_velocity - round_.lifts[i];
+    return project_on_cone(round_.impulses.col(i) + missing / round_.softness[i], contacts_[i].friction);
   }
 
   Eigen::Matrix3Xd impulses_at(const Eigen::Matrix3Xd& u) const {
@@ -100,81 +101,74 @@ class ContactSolver {
     return impulses;
   }
 
-  /// Start of the next round.
-  struct RoundChanges {
-    Eigen::Matrix3Xd pushes;  ///< impulses that the law adds where contacts move as they did
-    Eigen::VectorXd lifts;    ///< found
-    bool hardens = false;     ///< contacts that carry are softer than they have to be
+  /// State after a round, from which the next one begins.
+  struct Round {
+    Eigen::VectorXd y, a_y;          ///< changes of velocity and what they take
+    Eigen::Matrix3Xd u, beyond;      ///< velocities at the contacts; part of condensed bodies beyond those of y
+    Eigen::Matrix3Xd impulses;       ///< found
+    Eigen::Matrix3Xd pushes;         ///< impulses that the law adds where contacts move as they did
+    Eigen::VectorXd lifts;           ///< assumed friction times sliding speed [m/s]
+    Eigen::VectorXd found_lifts;     ///< the same, found
+    std::vector<double> softness;    ///< r of the next round [1/kg]
+    std::vector<double> violations;  ///< by each contact of its law [m/s]
+    /// Largest change of a velocity by the round [m/s].
+    double outer_change = std::numeric_limits<double>::infinity();
+    int unconverged = 0;   ///< contacts that do not meet their law
+    bool hardens = false;  ///< contacts that carry are softer than they have to be
   };
 
-  /// State after the round that has changed least: Newton's method for all of the law may lead away from it.
-  struct Found {
-    Eigen::VectorXd y, a_y, lifts;
-    Eigen::Matrix3Xd u, beyond, impulses;
-    std::vector<double> softness, violations;
-    RoundChanges changes;
-    double outer_change = std::numeric_limits<double>::infinity();
-    int unconverged = 0;
-  };
-  void remember(const RoundChanges& changes) {
-    best_ = {
-        y_, a_y_, lifts_, u_, beyond_, impulses_, softness_, violations_, changes, outer_change_, report_.unconverged};
-  }
-  /// Restores that state. Returns the changes found there.
-  RoundChanges go_back() {
-    y_ = best_.y, a_y_ = best_.a_y, lifts_ = best_.lifts, u_ = best_.u, beyond_ = best_.beyond;
-    impulses_ = best_.impulses;
-    softness_ = best_.softness, violations_ = best_.violations;
-    outer_change_ = best_.outer_change;
-    report_.unconverged = best_.unconverged;
-    near_ = kRetry * outer_change_;
+  /// Restores the round that has changed least: Newton's method for all of the law may lead away from it.
+  void go_back() {
+    round_ = best_;
+    near_ = kRetry * round_.outer_change;
     is_coupled_ = false;
-    return best_.changes;
   }
 
   /// Takes over the impulses found, and counts the contacts that do not meet their law yet.
-  RoundChanges finish_round() {
+  void finish_round() {
     constexpr double kProgress = 0.25, kStiffening = 0.3;
-    RoundChanges changes{Eigen::Matrix3Xd::Zero(3, u_.cols()), Eigen::VectorXd(u_.cols())};
-    report_.unconverged = 0;
-    last_change_ = outer_change_;
-    outer_change_ = 0;
+    round_.pushes = Eigen::Matrix3Xd::Zero(3, round_.u.cols());
+    round_.found_lifts.resize(round_.u.cols());
+    round_.hardens = false;
+    round_.unconverged = 0;
+    last_change_ = round_.outer_change;
+    round_.outer_change = 0;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      const Vec3 impulse = project(i, u_.col(i)).impulse, change = impulse - impulses_.col(i);
-      const double lift = contacts_[i].friction * u_.col(i).tail<2>().norm(), violation = softness_[i] * change.norm();
-      const double lifted = impulse.isZero(0) ? 0 : std::abs(lift - lifts_[i]);
+      const Vec3 impulse = project(i, round_.u.col(i)).impulse, change = impulse - round_.impulses.col(i);
+      const double lift = contacts_[i].friction * round_.u.col(i).tail<2>().norm(),
+                   violation = round_.softness[i] * change.norm();
+      const double lifted = impulse.isZero(0) ? 0 : std::abs(lift - round_.lifts[i]);
       const bool lifts = lifted > negligible_lift(lift);
-      outer_change_ = std::max({outer_change_, violation, lifts ? lifted : 0});
-      const bool hardens = softness_[i] > course_[i].settled;
-      changes.hardens = changes.hardens || (hardens && !impulse.isZero(0));
-      if (violation > negligible_speed() || lifts || (hardens && !impulse.isZero(0))) ++report_.unconverged;
-      impulses_.col(i) = impulse;
-      changes.lifts[i] = lift;
-      if (!stiffness_.empty()) changes.pushes.col(i) = softness_[i] * stiffness_[i] * change;
+      round_.outer_change = std::max({round_.outer_change, violation, lifts ? lifted : 0});
+      const bool hardens = round_.softness[i] > course_[i].settled;
+      round_.hardens = round_.hardens || (hardens && !impulse.isZero(0));
+      if (violation > negligible_speed() || lifts || (hardens && !impulse.isZero(0))) ++round_.unconverged;
+      round_.impulses.col(i) = impulse;
+      round_.found_lifts[i] = lift;
+      if (!stiffness_.empty()) round_.pushes.col(i) = round_.softness[i] * stiffness_[i] * change;
       if (hardens)
-        softness_[i] = std::max(kStiffening * softness_[i], course_[i].settled);
-      else if (violation > std::max(negligible_speed(), kProgress * violations_[i]))
-        softness_[i] = std::max(kStiffening * softness_[i], course_[i].least);
-      violations_[i] = violation;
+        round_.softness[i] = std::max(kStiffening * round_.softness[i], course_[i].settled);
+      else if (violation > std::max(negligible_speed(), kProgress * round_.violations[i]))
+        round_.softness[i] = std::max(kStiffening * round_.softness[i], course_[i].least);
+      round_.violations[i] = violation;
     }
-    return changes;
   }
 
   /// Starts a round where the last one's linear problem has its minimum under the new impulses and lifts, so that what
   /// slides goes on sliding. Near the solution lifts are found together with the sliding that they cause (Newton's
   /// method for all of the law); alone they converge slowly, or not at all, where shards rest on their corners.
-  void begin_round(RoundChanges changes) {
+  void begin_round() {
     constexpr double kNear = 0.1, kContracting = 0.7;
-    if (is_coupled_ && outer_change_ > kContracting * last_change_) near_ = kRetry * last_change_;
-    is_coupled_ = outer_change_ < std::min(near_, kNear * to_change_);
-    Eigen::VectorXd d = direction(impulses_on_bodies(changes.pushes));
-    const Eigen::Matrix3Xd u = u_ + motion_.of(d);
+    if (is_coupled_ && round_.outer_change > kContracting * last_change_) near_ = kRetry * last_change_;
+    is_coupled_ = round_.outer_change < std::min(near_, kNear * to_change_);
+    Eigen::VectorXd d = direction(impulses_on_bodies(round_.pushes));
+    const Eigen::Matrix3Xd u = round_.u + motion_.of(d);
     for (std::size_t i = 0; i < contacts_.size(); ++i)
-      if (!impulses_.col(i).isZero(0)) changes.lifts[i] = contacts_[i].friction * u.col(i).tail<2>().norm();
-    Eigen::VectorXd more = changes.lifts - lifts_;
-    if (is_coupled_) more = (lifts_ + coupled_lifts(u, more)).cwiseMax(0) - lifts_;
+      if (!round_.impulses.col(i).isZero(0)) round_.found_lifts[i] = contacts_[i].friction * u.col(i).tail<2>().norm();
+    Eigen::VectorXd more = round_.found_lifts - round_.lifts;
+    if (is_coupled_) more = (round_.lifts + coupled_lifts(u, more)).cwiseMax(0) - round_.lifts;
     d += direction(impulses_on_bodies(impulses_of_lifts(more)));
-    lifts_ += more;
+    round_.lifts += more;
     search_along(d);
   }
 
@@ -195,8 +189,8 @@ class ContactSolver {
   Eigen::VectorXd coupled_lifts(const Eigen::Matrix3Xd& u, const Eigen::VectorXd& missing) const {
     constexpr double kAccuracy = 0.01;
     constexpr int kMost = 30;
-    Eigen::Matrix2Xd slope = Eigen::Matrix2Xd::Zero(2, u_.cols());  // of lifts by velocities
-    for (Eigen::Index i = 0; i < u_.cols(); ++i)
+    Eigen::Matrix2Xd slope = Eigen::Matrix2Xd::Zero(2, round_.u.cols());  // of lifts by velocities
+    for (Eigen::Index i = 0; i < round_.u.cols(); ++i)
       if (is_sliding(i)) slope.col(i) = contacts_[i].friction * u.col(i).tail<2>().normalized();
     const auto multiply = [&](const Eigen::VectorXd& lifts) {
       Eigen::VectorXd change;
@@ -210,18 +204,19 @@ class ContactSolver {
   bool is_sliding(Eigen::Index i) const {
     constexpr double kOfCone = 1 - 1e-6;
     const double friction = contacts_[i].friction;
-    return impulses_(0, i) > 0 && impulses_.col(i).tail<2>().norm() > kOfCone * friction * impulses_(0, i);
+    return round_.impulses(0, i) > 0 &&
+           round_.impulses.col(i).tail<2>().norm() > kOfCone * friction * round_.impulses(0, i);
   }
 
   /// Lets all rows of the bodies respond. False where contacts then do not move as condensed bodies let them: rounds go
   /// on from where they do.
   bool respond() {
-    const Eigen::Matrix3Xd beyond = response_.respond(impulses_, y_), change = beyond - beyond_;
-    beyond_ = beyond;
-    u_ += change;
+    const Eigen::Matrix3Xd beyond = response_.respond(round_.impulses, round_.y), change = beyond - round_.beyond;
+    round_.beyond = beyond;
+    round_.u += change;
     const auto moved = static_cast<int>((change.colwise().norm().array() > negligible_speed()).count());
-    report_.unconverged = std::max(report_.unconverged, moved);
-    return report_.unconverged == 0;
+    round_.unconverged = std::max(round_.unconverged, moved);
+    return round_.unconverged == 0;
   }
 
   /// Ends a solve that did not converge: bodies move as its impulses let them, of which the share remains that leaves
@@ -230,15 +225,15 @@ class ContactSolver {
     follow_impulses();
     double first = 0, second = 0;  // work of a share s: s first + s² second / 2
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      const Vec3 impulse = impulses_.col(i), free = contacts_[i].free_velocity;
+      const Vec3 impulse = round_.impulses.col(i), free = contacts_[i].free_velocity;
       first += impulse.dot(free) - impulse[0] * std::max(0.0, contacts_[i].target_velocity);
-      second += impulse.dot(u_.col(i) - free);
+      second += impulse.dot(round_.u.col(i) - free);
     }
     if (!(first + second / 2 > 0)) return;
     const double share = std::clamp(-first / second, 0.0, 1.0);
-    impulses_ *= share;
-    y_ *= share;
-    a_y_ *= share;
+    round_.impulses *= share;
+    round_.y *= share;
+    round_.a_y *= share;
   }
 
   /// Sets the changes of velocity to those by the impulses.
@@ -246,13 +241,13 @@ class ContactSolver {
     constexpr int kMost = 10;
     stiffness_.assign(contacts_.size(), Mat3::Zero());
     if (!preconditioner_.factor(stiffness_)) {
-      impulses_.setZero();
-      y_.setZero();
-      a_y_.setZero();
+      round_.impulses.setZero();
+      round_.y.setZero();
+      round_.a_y.setZero();
       return;
     }
     for (int i = 0; i < kMost; ++i) {
-      Eigen::VectorXd missing = impulses_on_bodies(impulses_) - a_y_, a_d;
+      Eigen::VectorXd missing = impulses_on_bodies(round_.impulses) - round_.a_y, a_d;
       if (bodies_.speed_under(missing) <= kNewtonFraction * negligible_speed()) return;
       const Eigen::VectorXd d = direction(std::move(missing));
       bodies_.multiply(d, a_d);
@@ -264,10 +259,10 @@ class ContactSolver {
   /// Newton's method for one round.
   Minimum minimize(bool is_last) {
     constexpr double kOfRound = 0.1;  // of what the last round changed: the next one changes as much again
-    const double inner = std::max(kNewtonFraction * negligible_speed(), is_last ? 0 : kOfRound * outer_change_);
+    const double inner = std::max(kNewtonFraction * negligible_speed(), is_last ? 0 : kOfRound * round_.outer_change);
     for (int step = 0; step < tolerance_.max_newton_steps; ++step) {
       if (!linearize()) return Minimum::none;
-      Eigen::VectorXd residual = -a_y_;
+      Eigen::VectorXd residual = -round_.a_y;
       motion_.add_impulses(impulses_now_, residual);
       const double missing = bodies_.speed_under(residual);
       if (missing <= inner)
@@ -281,12 +276,12 @@ class ContactSolver {
 
   /// Finds the impulses and their derivatives; false where the matrix has no factors.
   bool linearize() {
-    impulses_now_.resize(3, u_.cols());
+    impulses_now_.resize(3, round_.u.cols());
     std::vector<Mat3> stiffness(contacts_.size());
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      const ConeProjection found = project(i, u_.col(i));
+      const ConeProjection found = project(i, round_.u.col(i));
       impulses_now_.col(i) = found.impulse;
-      stiffness[i] = found.derivative / softness_[i];
+      stiffness[i] = found.derivative / round_.softness[i];
     }
     if (stiffness == stiffness_) return true;
     stiffness_ = std::move(stiffness);
@@ -326,9 +321,9 @@ class ContactSolver {
     Eigen::VectorXd a_d;
     bodies_.multiply(d, a_d);
     const Eigen::Matrix3Xd moved = motion_.of(d);
-    const double first = d.dot(a_y_), second = d.dot(a_d);
+    const double first = d.dot(round_.a_y), second = d.dot(a_d);
     const auto slope = [&](double step) {
-      return first + step * second - moved.cwiseProduct(impulses_at(u_ + step * moved)).sum();
+      return first + step * second - moved.cwiseProduct(impulses_at(round_.u + step * moved)).sum();
     };
     const double step = zero_of(slope);
     if (!(step > 0)) return false;
@@ -338,9 +333,9 @@ class ContactSolver {
 
   void advance_solution(double step, const Eigen::VectorXd& d, const Eigen::VectorXd& a_d,
                         const Eigen::Matrix3Xd& moved) {
-    y_ += step * d;
-    a_y_ += step * a_d;
-    u_ += step * moved;
+    round_.y += step * d;
+    round_.a_y += step * a_d;
+    round_.u += step * moved;
   }
 
   static double square(double x) { return x * x; }
@@ -351,18 +346,11 @@ class ContactSolver {
   ContactMotion motion_;
   ContactPreconditioner preconditioner_;
   ContactResponse response_;
-  Eigen::VectorXd y_, a_y_;              // changes of velocity and what they take
-  Eigen::Matrix3Xd u_;                   // relative velocities at the contacts
-  Eigen::Matrix3Xd impulses_;            // of the round before
-  Eigen::VectorXd lifts_;                // friction times sliding speed, of this round [m/s]
-  std::vector<double> softness_;         // r of this round [1/kg]
+  Round round_, best_;                   // the present one; the one that has changed least
   std::vector<ContactSoftness> course_;  // r over the rounds
-  Found best_;
-  Eigen::Matrix3Xd beyond_;         // velocities at contacts that condensed bodies have beyond those of y
-  std::vector<double> violations_;  // of the round before [m/s]
   Eigen::Matrix3Xd impulses_now_;
   std::vector<Mat3> stiffness_;
-  double outer_change_ = 0, last_change_ = 0;              // of velocities, by the last round and the one before [m/s]
+  double last_change_ = 0;                                 // of velocities, by the round before [m/s]
   bool is_coupled_ = false;                                // lifts of this round are found together with sliding
   double near_ = std::numeric_limits<double>::infinity();  // change below which that is tried [m/s]
   double to_change_ = 0;                                   // largest velocity that contacts have to make [m/s]

@@ -22,12 +22,15 @@ MadeStep make_step(NextStep next) {
 }
 
 void apply(World& world, WorldInput& input) {
-  if (auto* burst = std::get_if<ProjectileBurst>(&input.action)) {
-    *burst = world.fire(*burst);
-    return;
-  }
-  const MaterialChange& change = std::get<MaterialChange>(input.action);
-  world.set_material(change.scene_body, change.material);
+  struct Apply {
+    World& world;
+    void operator()(ProjectileBurst& burst) const { burst = world.fire(burst); }
+    void operator()(const MaterialChange& change) const { world.set_material(change.scene_body, change.material); }
+    void operator()(const Grab& grab) const { world.grab(grab); }
+    void operator()(const GrabMove& move) const { world.move_grab(move.target); }
+    void operator()(const GrabRelease&) const { world.release(); }
+  };
+  std::visit(Apply{world}, input.action);
 }
 
 Timeline::Timeline(World world, std::size_t memory)
@@ -110,6 +113,10 @@ void Timeline::fire(const ProjectileBurst& burst) { do_input({step_, burst}); }
 void Timeline::set_material(int scene_body, const Material& material) {
   do_input({step_, MaterialChange{scene_body, material}});
 }
+
+void Timeline::grab(const Grab& grab) { do_input({step_, grab}); }
+void Timeline::move_grab(const Vec3& target) { do_input({step_, GrabMove{target}}); }
+void Timeline::release() { do_input({step_, GrabRelease{}}); }
 
 /// Applies the input to the world first, since a refused input is none.
 void Timeline::do_input(WorldInput input) {

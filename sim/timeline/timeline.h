@@ -13,7 +13,7 @@
 
 namespace griffith {
 
-/// Applies an input to a world. Throws as World::fire() and World::set_material() do. Data read from a file become part
+/// Applies an input to a world. Throws as the functions of World do. Data read from a file become part
 /// of the input.
 void apply(World& world, WorldInput& input);
 
@@ -91,6 +91,9 @@ class Timeline {
   /// As in World. A branch begins if steps or inputs after this one are known.
   void fire(const ProjectileBurst& burst);
   void set_material(int scene_body, const Material& material);
+  void grab(const Grab& grab);
+  void move_grab(const Vec3& target);
+  void release();
   /// Goes to a step of a branch, clamped to first_step() and the branch's last.
   void go_to(int branch, std::int64_t step);
   void go_to(std::int64_t step) { go_to(branch_, step); }

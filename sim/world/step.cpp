@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "sim/world/bodies/expected_impacts.h"
 #include "sim/world/conditions/projectiles.h"
 #include "sim/world/contact/contact_phase.h"
 #include "sim/world/energy/energy_phase.h"
@@ -14,7 +15,7 @@
 #include "sim/world/explicit/similarity.h"
 #include "sim/world/fracture/fracture_phase.h"
 #include "sim/world/fracture/separation_phase.h"
-#include "sim/world/impacts/expected_impacts.h"
+#include "sim/world/grab_force.h"
 #include "sim/world/motion/elastic_phase.h"
 #include "sim/world/motion/equilibrium.h"
 #include "sim/world/motion/explicit_integration.h"
@@ -23,6 +24,7 @@
 #include "sim/world/regime/part_at_bonds.h"
 #include "sim/world/regime/rest_phase.h"
 #include "sim/world/state/world_state.h"
+#include "sim/world/substeps.h"
 
 namespace griffith {
 namespace {
@@ -50,11 +52,13 @@ void fracture(WorldState& world, double substep) {
 /// Computes contacts and motion of all objects except the bodies in explicit dynamics.
 void move(WorldState& world, double dt) {
   StepTimings& ms = world.report.milliseconds;
-  part_at_bonds(world);
   update_supports(world, world.time, dt);
   timed(ms.contact, [&] { find_contacts(world, dt); });
   record_substep_start(world, world.scratch);
-  timed(ms.elasticity, [&] { assemble_systems(world, dt); });
+  timed(ms.elasticity, [&] {
+    assemble_systems(world, dt);
+    update_grab(world, dt);
+  });
   ExternalForces forces = external_forces(world, dt);
   const std::vector<Vec3> external = std::move(forces.nodes);
   world.scratch.edge_loads = std::move(forces.edges);
@@ -149,6 +153,7 @@ void step_in_substeps(WorldState& world, double time_step) {
     world.time = start + substep;
     left -= substep;
     end_explicit_if_quiet(world);
+    part_at_bonds(world);
     timed(ms.separation, [&] {
       evaluate_separation(world, true);
       begin_explicit_if_overloaded(world);

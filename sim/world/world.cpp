@@ -5,6 +5,7 @@
 
 #include "sim/core/hash_bytes.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/conditions/grab.h"
 #include "sim/world/conditions/projectiles.h"
 #include "sim/world/contact/contact_phase.h"
 #include "sim/world/energy/energy_phase.h"
@@ -138,6 +139,7 @@ Frame World::frame() const {
   frame.splinters.open_walls = world.splinter_state.open_walls;
   frame.projectiles = world.output.projectiles;
   frame.contacts = world.output.contacts;
+  frame.grab = grab_view(world);
   frame.probes = world.probes;
   frame.crack_events = world.crack_events;
   frame.fragments = static_cast<int>(
@@ -155,6 +157,10 @@ void World::step() { advance(impl_->state); }
 const std::vector<InputError>& World::findings() const { return impl_->state.model->findings; }
 
 ProjectileBurst World::fire(const ProjectileBurst& burst) { return fire_burst(impl_->state, burst); }
+
+void World::grab(const Grab& grab) { begin_grab(impl_->state, grab); }
+void World::move_grab(const Vec3& target) { griffith::move_grab(impl_->state, target); }
+void World::release() { end_grab(impl_->state); }
 
 void World::set_material(int scene_body, const Material& material) {
   WorldState& world = impl_->state;

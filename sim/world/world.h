@@ -5,6 +5,7 @@
 
 #include "sim/core/error.h"
 #include "sim/core/monitor.h"
+#include "sim/scene/grab.h"
 #include "sim/scene/scene.h"
 #include "sim/world/output/frame.h"
 #include "sim/world/setup/in_memory_meshes.h"
@@ -12,8 +13,8 @@
 
 namespace griffith {
 
-/// Scene in motion. Results depend only on the scene, the shots and edits, and the number of steps: never on the clock,
-/// the number of threads or the frame rate.
+/// Scene in motion. Results depend only on the scene, the shots, grabs and edits, and the number of steps: never on the
+/// clock, the number of threads or the frame rate.
 class World {
  public:
   /// Builds meshes and setup. Throws InputError if a mesh or a value of the scene is unusable, and Cancelled if the
@@ -40,6 +41,13 @@ class World {
   /// Launches `burst`, its start counted from now. Throws InputError for a shape whose file cannot be used. Returns
   /// what fires the same again, without that file.
   ProjectileBurst fire(const ProjectileBurst& burst);
+  /// Pulls a point of material to a target by a spring, in place of the present grab. Wakes its piece, which may deform
+  /// and break. Throws InputError if the point does not exist, or if the scene's analysis is static.
+  void grab(const Grab& grab);
+  /// Moves the target of the grab [m]. Throws InputError if nothing is grabbed.
+  void move_grab(const Vec3& target);
+  /// Ends the grab, if there is one.
+  void release();
   /// Sets elastic and fracture properties of the pieces of Scene::bodies[scene_body] while running. Density takes
   /// effect as well: velocities are kept, momentum changes with the mass. Before the first step the body starts as if
   /// made of the material: supported bodies in its equilibrium. Throws InputError, and changes nothing, for a material

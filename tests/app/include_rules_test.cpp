@@ -142,9 +142,21 @@ TEST(IncludeRules, LowerFoldersOfTheSimulationKnowNoHigherOnes) {
           {"sim/world/contact", "^sim/(?!timeline|recording|explicit|world/(setup|conditions|explicit|fracture)).*$"},
           {"sim/world/regime", "^sim/(?!timeline|recording|explicit|world/(setup|conditions|explicit)).*$"},
           {"sim/world/impacts", "^sim/(?!timeline|recording|world/setup).*$"},
-          {"sim/world/explicit", "^sim/(?!timeline|recording|world/setup).*$"},
+          {"sim/world/explicit", "^sim/(?!timeline|recording|world/(setup|impacts)).*$"},
           {"sim/world/setup", "^sim/(?!timeline|recording|explicit|world/(impacts|explicit|regime)).*$"},
       });
+}
+
+/// Tests of a part of the world lie in the folder of its name.
+TEST(IncludeRules, FoldersOfTheWorldsTestsMirrorIt) {
+  const fs::path root = GRIFFITH_SOURCE_DIR;
+  int folders = 0;
+  for (const auto& entry : fs::directory_iterator(root / "tests/world")) {
+    if (!entry.is_directory()) continue;
+    ++folders;
+    EXPECT_TRUE(fs::is_directory(root / "sim/world" / entry.path().filename())) << entry.path();
+  }
+  EXPECT_GT(folders, 10);
 }
 
 TEST(IncludeRules, LowerFoldersOfPanelsKnowNoHigherOnes) {

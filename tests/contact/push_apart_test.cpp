@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "sim/contact/rigid_solver.h"
+#include "sim/contact/rigid_overlaps.h"
 
 namespace griffith::contact {
 namespace {

@@ -52,6 +52,28 @@ TEST(Timeline, EveryStepComesAgainToTheBit) {
   EXPECT_EQ(timeline.last_step(), 60);
 }
 
+TEST(Timeline, GrabsComeAgainToTheBit) {
+  Timeline timeline{World(scene())};
+  std::vector<StateHashes> hashes = {timeline.world().state_hashes()};
+  for (int step = 0; step < 60; ++step) {
+    if (step == 5) timeline.fire(shot(1.2));
+    if (step == 20) timeline.grab({.tet = 17, .target = Vec3(0, 2, 1)});
+    if (step > 20 && step < 40) timeline.move_grab(Vec3(0.05 * step, 2, 1));
+    if (step == 40) timeline.release();
+    timeline.advance();
+    hashes.push_back(timeline.world().state_hashes());
+  }
+  EXPECT_EQ(timeline.inputs().size(), 22u);
+  for (const int step : {47, 21, 33, 20, 60, 5, 40}) {
+    timeline.go_to(step);
+    EXPECT_EQ(timeline.world().state_hashes(), hashes[static_cast<std::size_t>(step)]) << "at step " << step;
+    EXPECT_EQ(timeline.world().frame().grab.has_value(), step > 20 && step <= 40) << "at step " << step;
+  }
+  timeline.go_to(30);
+  timeline.advance();
+  EXPECT_EQ(timeline.world().state_hashes(), hashes[31]);
+}
+
 TEST(Timeline, GoingOnFromThePastRepeatsIt) {
   Timeline timeline{World(scene())};
   timeline.advance();

@@ -2,7 +2,9 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 
+#include "sim/world/energy/energy_account.h"
 #include "sim/world/output/frame.h"
 
 namespace griffith::testing {
@@ -22,6 +24,11 @@ inline Vec3 sum_of_reactions(const Frame& frame) {
   Vec3 sum = Vec3::Zero();
   for (const Vec3& reaction : frame.nodes.reactions) sum += reaction;
   return sum;
+}
+
+/// Returns the unaccounted fraction of the turnover.
+inline double fraction_unaccounted(const EnergyAccount& energy) {
+  return energy.turned_over() > 0 ? std::abs(energy.unaccounted()) / energy.turned_over() : 0;
 }
 
 }  // namespace griffith::testing

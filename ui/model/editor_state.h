@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/scene/grab.h"
 #include "sim/scene/scene.h"
 #include "ui/model/commands.h"
 #include "ui/model/comparison.h"
@@ -158,6 +159,10 @@ struct EditorState {
   ProjectileBurst shot;               ///< settings of the projectile tool; position and direction come from the cursor
   std::optional<Vec2> aimed_at;       ///< while a shot is aimed: point of the view, from its top left corner, 0..1
   std::optional<ProjectileBurst> last_shot;  ///< last shot with its time, until it is added to the scene
+  bool grab_tool = false;                    ///< the left button grabs pieces in the view
+  GrabSpring grab_spring;                    ///< spring of the next grab
+  bool holds_piece = false;                  ///< the mouse or a script holds a piece
+  bool mouse_grabs = false;                  ///< the left button went down to grab
   int selected_body = 0;                     ///< index into Scene::bodies
   std::vector<SceneEntry> entries;  ///< entries selected in the outliner, in that order; empty: the selected body
   std::optional<SceneEntry> listed_entry;  ///< the active entry when the outliner was drawn last

@@ -64,6 +64,7 @@ void draw_left(Panel& panel, const Layout& layout) {
   draw_outliner_panel(panel);
   draw_entry_panel(panel);
   draw_scene_panel(panel);
+  draw_grab_panel(panel);
   draw_projectile_panel(panel);
   ImGui::End();
 }

@@ -47,6 +47,13 @@ void aim_shot(Panel& panel, const Vec2& cursor);
 /// Draws the predicted path of the aimed shot and its hit.
 void draw_aim(const Panel& panel);
 
+/// Lets the left button grab a piece at `cursor`, the position of the mouse in the view, and drag it while the tool is
+/// on. Escape lets go. Call it after the item that the picture fills. True if the grab takes the mouse.
+bool drag_piece(Panel& panel, const Vec2& cursor);
+
+/// Draws the spring of the present grab from the piece to its target, with its force.
+void draw_grab(const Panel& panel);
+
 /// Draws the compared branch over the picture in the view, right of a border that can be dragged or as a ghost, with
 /// the names of both branches and their difference.
 void draw_comparison(Panel& panel);

@@ -21,6 +21,7 @@ void draw_scene_panel(Panel& panel);
 void draw_material_panel(Panel& panel);
 /// Draws the settings of the projectile tool.
 void draw_projectile_panel(Panel& panel);
+void draw_grab_panel(Panel& panel);
 /// Draws the settings of the picture: quantity, range and colors, element style, slice, layers.
 void draw_view_panel(Panel& panel);
 /// Explains why the picked node broke or holds, and describes its element and piece.

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/scene/input_fields.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/field_range.h"
 #include "ui/widgets/field_widgets.h"
@@ -125,6 +126,24 @@ void preset_row(Panel& panel, ProjectileBurst& shot) {
 }
 
 }  // namespace
+
+void draw_grab_panel(Panel& panel) {
+  if (!panel.state.grab_tool) return;
+  heading(panel, "Grab");
+  GrabSpring& spring = panel.state.grab_spring;
+  const auto row = [&](const char* tag, const char* label, const char* name, double& value, const char* tooltip) {
+    number_field_row(panel, {.tag = tag, .label = label, .numbers = range_of<GrabSpring>(name), .tooltip = tooltip},
+                     value);
+  };
+  row("grab/strength", "Greatest force / weight", "strength", spring.strength,
+      "Greatest force of the spring over the weight of the piece.");
+  row("grab/frequency", "Frequency", "frequency", spring.frequency,
+      "Frequency of the piece on the spring: stiffness. It is lower where a period would take less than 20 time "
+      "steps.");
+  row("grab/damping_ratio", "Damping ratio", "damping_ratio", spring.damping_ratio,
+      "Damping of the grabbed point over critical damping.");
+  hint(panel, "Drag a piece in the view. It is an input of the run, like a shot.");
+}
 
 void draw_projectile_panel(Panel& panel) {
   heading(panel, "Projectile");

@@ -46,15 +46,15 @@ void draw_world_lines(const Panel& panel, ImDrawList* list, const std::vector<Re
   }
 }
 
-void draw_readout(const Panel& panel, ImDrawList* list, const std::string& text) {
+void draw_readout(const Panel& panel, ImDrawList* list, const std::string& text, ImVec2 place) {
   const float scale = ui_scale(panel), pad = 8 * scale;
-  const ImVec2 extent = ImGui::CalcTextSize(text.c_str()), mouse = ImGui::GetIO().MousePos;
+  const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
   const ImVec2 minimum = panel.state.viewport_minimum, size = panel.state.viewport_size;
   const auto within = [pad](float preferred, float low, float room, float need) {
     return std::max(low + pad, std::min(preferred, low + room - need - 2 * pad));
   };
-  const ImVec2 low = {within(mouse.x + 18 * scale, minimum.x, size.x, extent.x),
-                      within(mouse.y + 18 * scale, minimum.y, size.y, extent.y)};
+  const ImVec2 low = {within(place.x + 18 * scale, minimum.x, size.x, extent.x),
+                      within(place.y + 18 * scale, minimum.y, size.y, extent.y)};
   list->AddRectFilled({low.x - pad, low.y - pad / 2}, {low.x + extent.x + pad, low.y + extent.y + pad / 2},
                       IM_COL32(24, 27, 32, 220), 5 * scale);
   list->AddText(low, palette::kText, text.c_str());

@@ -31,7 +31,8 @@ double region_size(const Panel& panel);
 /// Draws the parts of lines in front of the eye. The lines are in a rest space with the given `pose`.
 void draw_world_lines(const Panel& panel, ImDrawList* list, const std::vector<RegionLine>& lines, const Pose& pose,
                       ImU32 color);
-/// Writes the result of a drag next to the cursor, within the picture.
-void draw_readout(const Panel& panel, ImDrawList* list, const std::string& text);
+/// Writes the result of a drag next to `place`, that of the cursor, within the picture.
+void draw_readout(const Panel& panel, ImDrawList* list, const std::string& text,
+                  ImVec2 place = ImGui::GetIO().MousePos);
 
 }  // namespace griffith::ui

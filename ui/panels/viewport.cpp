@@ -35,7 +35,7 @@ void move_camera(EditorState& state, const ImGuiIO& io) {
   }
 }
 
-void mouse_input(Panel& panel) {
+void mouse_input(Panel& panel, const Vec2& cursor) {
   EditorState& state = panel.state;
   const ImGuiIO& io = ImGui::GetIO();
   const float slack = kClickSlack * ui_scale(panel);
@@ -44,7 +44,6 @@ void mouse_input(Panel& panel) {
   if (ImGui::IsItemActive() && !ImGui::IsItemActivated()) move_camera(state, io);
   const float notches = state.preferences.invert_zoom ? -io.MouseWheel : io.MouseWheel;
   if (hovered && notches != 0) state.camera_motion.zoom *= std::pow(kZoomPerNotch, notches);
-  const Vec2 cursor = place_in_view(state, io.MousePos);
   aim_shot(panel, cursor);
   const bool clicked = ImGui::IsMouseReleased(ImGuiMouseButton_Left) && ImGui::IsItemDeactivated() &&
                        io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < slack * slack && !io.KeyShift;
@@ -57,6 +56,8 @@ void draw_hints(const Panel& panel, ImVec2 corner, ImVec2 end) {
   std::string text =
       "drag: orbit      shift+drag: pan      wheel: zoom      click: inspect      right click: fire (hold: aim)";
   if (panel.state.gizmo_drag || panel.state.region_drag) text = "ctrl: snap      esc: cancel";
+  if (panel.state.grab_tool) text = "drag a piece: pull it by a spring      elsewhere: orbit      D: done";
+  if (panel.state.mouse_grabs) text = panel.state.running ? "release: let go" : "release: let go      space: run";
   if (panel.state.paint_regions) text = "drag on the body: paint      ctrl: erase      elsewhere: orbit      T: done";
   if (panel.state.aimed_at) text = "release: fire      esc: cancel";
   if (panel.state.show_gizmo && panel.input.frame.step > 0) text += "      R: reset, to move bodies";
@@ -115,7 +116,9 @@ void draw_viewport(Panel& panel) {
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
   tag_last_item(panel.tags, "viewport");
   ImGui::SetItemAllowOverlap();  // the card of a stop has a button
-  if (!paint_region(panel) && !drag_region(panel) && !drag_gizmo(panel)) mouse_input(panel);
+  const Vec2 cursor = place_in_view(state, ImGui::GetIO().MousePos);
+  if (!paint_region(panel) && !drag_region(panel) && !drag_gizmo(panel) && !drag_piece(panel, cursor))
+    mouse_input(panel, cursor);
   ImDrawList* list = ImGui::GetWindowDrawList();
   if (panel.input.picture) list->AddImage(panel.input.picture, state.viewport_minimum, end, {0, 1}, {1, 0});
   draw_comparison(panel);
@@ -125,6 +128,7 @@ void draw_viewport(Panel& panel) {
   draw_coming_crack(panel);
   draw_gizmo(panel);
   draw_aim(panel);
+  draw_grab(panel);
   if (panel.input.legend && legend_fits({state.viewport_minimum, end}, ui_scale(panel))) {
     draw_legend(list, *panel.input.legend, panel.input.fonts, {state.viewport_minimum, end}, ui_scale(panel));
   }

@@ -132,6 +132,15 @@ constexpr Drawing kDrawings[] = {
        pen.disc(0.35f, -0.1f, 0.45f);
        for (const float y : {-0.4f, 0.0f, 0.4f}) pen.line(-0.9f, y - 0.1f, -0.35f + 0.2f * (y == 0), y - 0.1f);
      }},
+    {Icon::grab,
+     [](const Pen& pen) {
+       pen.frame(-0.9f, 0, -0.1f, 0.8f);
+       for (int i = 0; i < 4; ++i) {
+         const float x = -0.3f + 0.3f * static_cast<float>(i), y = 0.2f - 0.3f * static_cast<float>(i);
+         pen.line(x, y, x + (i % 2 ? 0 : 0.3f), y - (i % 2 ? 0.3f : 0));
+       }
+       pen.disc(0.65f, -0.75f, 0.22f);
+     }},
     {Icon::open,
      [](const Pen& pen) {
        pen.box(-0.85f, -0.65f, -0.1f, -0.3f);

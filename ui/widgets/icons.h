@@ -14,6 +14,7 @@ enum class Icon {
   to_end,
   reset,
   fire,
+  grab,
   open,
   camera,
   frame,

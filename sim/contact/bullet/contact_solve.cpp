@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/contact/bullet/contact_world.h"
+#include "sim/contact/rigid_overlaps.h"
 #include "sim/core/parallel.h"
 #include "sim/geometry/disjoint_sets.h"
 

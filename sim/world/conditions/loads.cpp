@@ -6,6 +6,7 @@
 #include "sim/core/sort_unique.h"
 #include "sim/core/tet_edge_corners.h"
 #include "sim/mesh/topology.h"
+#include "sim/world/conditions/grab.h"
 #include "sim/world/regime/regime_change.h"
 #include "sim/world/state/world_state.h"
 
@@ -101,6 +102,7 @@ PressedFace pressed_face(const WorldState& world, const SurfaceFace& face, doubl
 }
 
 void add_point_force(const WorldState& world, const PlacedLoad& placed, double factor, ExternalForces& forces) {
+  if (placed.held) return add_force_at(world, placed.held->grab, factor * placed.load.force, forces);
   const Vec3 force = factor / static_cast<double>(placed.corners.size()) * placed.load.force;
   for (const TetCorner& corner : placed.corners) forces.nodes[node_at(world.mesh->tets, corner)] += force;
 }
@@ -191,6 +193,7 @@ std::vector<BodyId> bodies_under(const WorldState& world, const PlacedLoad& plac
   for (const TetCorner& corner : placed.corners) add(corner.tet);
   for (const SurfaceFace& face : placed.faces) add(face.tet);
   for (const TetId tet : placed.tets) add(tet);
+  if (placed.held) add(TetId(placed.held->grab.tet));
   sort_unique(bodies);
   return bodies;
 }
@@ -200,7 +203,8 @@ void make_loaded_bodies_elastic(WorldState& world, const TimeSpan& last, const T
     if (load_factor(placed.load, last) == load_factor(placed.load, next)) continue;
     for (const BodyId id : bodies_under(world, placed)) {
       Body& body = world.bodies[id];
-      if (body.rigid && !body.supported() && body.tets.size() > 1) make_elastic(world, body);
+      const bool may_deform = body.rigid && !body.supported() && body.tets.size() > 1;
+      if (may_deform && !body.bonded) make_elastic(world, body);  // bonds hold rigid bodies together alone
     }
   }
 }

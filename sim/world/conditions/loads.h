@@ -1,19 +1,36 @@
 #pragma once
 
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
 #include "sim/core/error.h"
+#include "sim/mesh/tet_edges.h"
 #include "sim/scene/boundary_condition.h"
+#include "sim/scene/grab.h"
 #include "sim/world/setup/rest_body.h"
 
 namespace griffith {
 
 struct WorldState;
 
-/// Load and the place where it acts: one of the three lists, depending on its kind.
+/// Point of a grab, and its motion in the last substep.
+struct HeldPoint {
+  Grab grab;
+  Vec3 rest_position, position;  ///< [m]
+  Vec3 velocity;                 ///< mean [m/s]
+  double time = 0;               ///< time of `position` [s]
+};
+
+/// Load and the place where it acts: one of the three lists, depending on its kind, or the point of a grab, whose force
+/// follows from its spring (grab_force.h).
 struct PlacedLoad {
   Load load;
   std::vector<TetCorner> corners;  ///< one a node: the force stays with this piece of material
   std::vector<SurfaceFace> faces;  ///< faces of the unbroken surface
   std::vector<TetId> tets;
+  std::optional<HeldPoint> held = {};
 };
 
 /// Moment, or interval between two moments [s].

@@ -131,7 +131,8 @@ void add_changes(const WorldState& world, const PlacedSupport& placed, Changes& 
 std::vector<QuickChange> quick_changes(const WorldState& world, const TimeSpan& span) {
   if (!anything_changes(world, span)) return {};
   Changes changes(world);
-  for (const PlacedLoad& placed : world.loads) add_changes(world, placed, changes);
+  for (const PlacedLoad& placed : world.loads)
+    if (!placed.held) add_changes(world, placed, changes);
   for (const PlacedSupport& placed : world.supports) add_changes(world, placed, changes);
   return changes.quick(span);
 }

@@ -16,7 +16,8 @@ struct QuickChange {
 };
 
 /// Returns changes that begin before the end of `span` and end at its start or later. A load or support changes quickly
-/// if the stress that it causes changes by a tenth of the body's strength while a wave crosses the body.
+/// if the stress that it causes changes by a tenth of the body's strength while a wave crosses the body. A grab follows
+/// its target step by step and is none.
 std::vector<QuickChange> quick_changes(const WorldState& world, const TimeSpan& span);
 
 /// True if what acts on a body changes quickly more than once within `span`: its waves are those of a pulse, which has

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "sim/mesh/topology.h"
@@ -84,6 +85,24 @@ void follow_all(std::vector<TetCorner>& corners, const Subdivision& subdivision,
   for (const auto& [tet, corner] : places) corners.push_back({tet, corner});
 }
 
+/// Updates a grab in a tet that is now several: the point is in the one that leaves it most room.
+void follow_held(const WorldState& world, const Subdivision& subdivision, HeldPoint& held) {
+  std::vector<TetId> parts = {TetId(held.grab.tet)};
+  for (const TetBisection& halves : subdivision.tets)
+    if (std::ranges::find(parts, halves.tet) != parts.end()) parts.push_back(halves.child);
+  if (parts.size() == 1) return;
+  double most = -std::numeric_limits<double>::infinity();
+  for (const TetId tet : parts) {
+    const Vec3 arm = held.rest_position - world.mesh->rest_positions[world.mesh->tets[tet][0]];
+    const Vec3 weights = world.elements.rest_elements[tet].shape_gradients.rightCols<3>().transpose() * arm;
+    const double room = std::min(weights.minCoeff(), 1 - weights.sum());
+    if (room <= most) continue;
+    most = room;
+    held.grab.tet = tet.index();
+    held.grab.weights = weights;
+  }
+}
+
 void follow_load(PlacedLoad& placed, const Subdivision& subdivision) {
   follow_all(placed.corners, subdivision, follow_nodes);
   std::vector<TetCorner> faces;
@@ -105,7 +124,10 @@ void follow_probe(ProbedNode& probed, const Subdivision& subdivision) {
 
 void follow_places(WorldState& world, const Subdivision& subdivision) {
   for (PlacedSupport& placed : world.supports) follow_all(placed.corners, subdivision, follow_region);
-  for (PlacedLoad& placed : world.loads) follow_load(placed, subdivision);
+  for (PlacedLoad& placed : world.loads) {
+    follow_load(placed, subdivision);
+    if (placed.held) follow_held(world, subdivision, *placed.held);
+  }
   for (PlacedProbe& placed : world.probes)
     for (ProbedNode& probed : placed.nodes) follow_probe(probed, subdivision);
   update_supports(world, world.time, 0);

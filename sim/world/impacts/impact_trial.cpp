@@ -10,12 +10,12 @@
 #include "sim/explicit/explicit_bodies.h"
 #include "sim/explicit/microstep_contacts.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/bodies/expected_impacts.h"
 #include "sim/world/explicit/explicit_obstacles.h"
 #include "sim/world/explicit/explicit_run.h"
 #include "sim/world/explicit/restored_bonds.h"
 #include "sim/world/explicit/similarity.h"
 #include "sim/world/fracture/separation_phase.h"
-#include "sim/world/impacts/expected_impacts.h"
 #include "sim/world/impacts/trial_loads.h"
 
 namespace griffith {

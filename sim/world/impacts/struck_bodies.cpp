@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/bodies/expected_impacts.h"
 #include "sim/world/explicit/similarity.h"
-#include "sim/world/impacts/expected_impacts.h"
 
 namespace griffith {
 

@@ -92,6 +92,14 @@ struct StepReport {
   StepTimings milliseconds;
 };
 
+/// Grab of a piece by a spring.
+struct GrabView {
+  BodyId body;
+  Vec3 point = Vec3::Zero(), target = Vec3::Zero();  ///< ends of the spring [m]
+  Vec3 force = Vec3::Zero();                         ///< force on the piece in the last substep [N]
+  double max_force = 0;                              ///< [N]
+};
+
 /// Sums over everything that moves (bodies and projectiles), SI units.
 struct Totals {
   double mass = 0, kinetic_energy = 0, elastic_energy = 0;
@@ -158,6 +166,7 @@ struct Frame {
   std::span<const ProjectileView> projectiles;
   std::span<const ContactView> contacts;     ///< contacts of the last step with an impulse
   std::span<const CrackEvent> crack_events;  ///< all so far, oldest first
+  std::optional<GrabView> grab;              ///< present grab, if any
   std::span<const PlacedProbe> probes;       ///< the scene's, to be read with probe_values()
   Totals totals;
   EnergyAccount energy, energy_of_step;  ///< since the start, and what the last step changed in it

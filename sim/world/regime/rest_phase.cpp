@@ -90,6 +90,7 @@ std::vector<bool> driven_bodies(const WorldState& world) {
     for (const TetCorner& corner : placed.corners) mark(corner.tet);
     for (const SurfaceFace& face : placed.faces) mark(face.tet);
     for (const TetId tet : placed.tets) mark(tet);
+    if (placed.held) mark(TetId(placed.held->grab.tet));
   }
   for (const PlacedSupport& placed : world.supports)
     if (!placed.support.velocity.isZero(0))
@@ -103,7 +104,7 @@ void report_settled_bodies(WorldState& world, double time_step) {
   for (Body& body : world.bodies) {
     if (body.asleep) continue;
     std::optional<bool> settled;
-    if (!body.rigid) settled = false;
+    if (!body.rigid || driven[body.id]) settled = false;
     if (body.is_deformable() && !driven[body.id]) {
       update_rest(world, body, time_step);
       settled = body.rest.time >= ContactWorld::kTimeToSleep;

@@ -34,7 +34,7 @@ class ContactLaw : public ::testing::TestWithParam<Case> {
     if (std::getenv("GRIFFITH_ALL_CONTACT_CASES") != nullptr) return;
     const ::testing::TestInfo& test = *::testing::UnitTest::GetInstance()->current_test_info();
     const std::string name = std::string(test.test_suite_name()) + "." + test.name();
-    std::ifstream gaps(GRIFFITH_SOURCE_DIR "/tests/world/contact_gaps.txt");
+    std::ifstream gaps(GRIFFITH_SOURCE_DIR "/tests/world/contact/contact_gaps.txt");
     ASSERT_TRUE(gaps.is_open());
     for (std::string gap; std::getline(gaps, gap);)
       if (gap == name) GTEST_SKIP() << "known to be missed";

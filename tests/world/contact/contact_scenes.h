@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/world/world.h"
-#include "tests/world/contact_case.h"
+#include "tests/world/contact/contact_case.h"
 
 namespace griffith::testing {
 

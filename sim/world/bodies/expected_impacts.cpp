@@ -1,4 +1,4 @@
-#include "sim/world/impacts/expected_impacts.h"
+#include "sim/world/bodies/expected_impacts.h"
 
 #include <algorithm>
 

@@ -3,9 +3,9 @@
 #include <functional>
 #include <random>
 
-#include "crack_area.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/world.h"
+#include "tests/world/fracture/crack_area.h"
 #include "tests/world/scenes.h"
 
 namespace griffith {

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include "crack_area.h"
-#include "scenes.h"
 #include "sim/core/parallel.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/world/world.h"
+#include "tests/world/fracture/crack_area.h"
+#include "tests/world/scenes.h"
 
 namespace griffith {
 namespace {

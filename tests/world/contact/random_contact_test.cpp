@@ -7,10 +7,10 @@
 
 #include "sim/core/parallel.h"
 #include "sim/scene/scene_writer.h"
-#include "tests/world/contact_case.h"
-#include "tests/world/contact_scenes.h"
-#include "tests/world/overlaps.h"
-#include "tests/world/random_contact_scene.h"
+#include "tests/world/contact/contact_case.h"
+#include "tests/world/contact/contact_scenes.h"
+#include "tests/world/contact/overlaps.h"
+#include "tests/world/contact/random_contact_scene.h"
 
 namespace griffith {
 namespace {

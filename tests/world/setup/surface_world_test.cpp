@@ -4,10 +4,10 @@
 #include <cstdlib>
 #include <numeric>
 
-#include "../meshing/surfaces.h"
 #include "sim/core/error.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/world.h"
+#include "tests/meshing/surfaces.h"
 
 namespace griffith {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <set>
 
-#include "scenes.h"
 #include "sim/world/world.h"
+#include "tests/world/scenes.h"
 
 namespace griffith::testing {
 namespace {

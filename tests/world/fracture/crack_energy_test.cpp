@@ -13,7 +13,7 @@
 namespace griffith {
 namespace {
 
-constexpr double kHalfHeight = 0.5, kLength = 3, kNotch = 1, kSize = 0.125;  // [m]
+constexpr double kHalfHeight = 0.5, kStripLength = 3, kNotch = 1, kSize = 0.125;  // [m]
 
 struct CrackedStrip {
   BoxPattern pattern = BoxPattern::kuhn;
@@ -45,8 +45,8 @@ Scene pulled_strip(const CrackedStrip& strip) {
   scene.simulation.time_step = 1e-3;
   scene.simulation.step_budget = strip.budget;
   BodyDescription body;
-  body.shape =
-      NotchedBeamShape{Vec3(2 * kHalfHeight, kLength, strip.size), kNotch, Vec3::Constant(strip.size), strip.pattern};
+  body.shape = NotchedBeamShape{Vec3(2 * kHalfHeight, kStripLength, strip.size), kNotch, Vec3::Constant(strip.size),
+                                strip.pattern};
   body.elements = strip.elements;
   body.material = material;
   body.material.fracture_toughness = body.material.tensile_strength = 1e12;
@@ -79,9 +79,9 @@ StripOutcome crack_of(const CrackedStrip& strip) {
   const int steps = strip.integrator == Integrator::implicit ? 60 : 15;  // a row of nodes waits for the next at least
   for (int i = 0; i < steps; ++i) world.step();
   StripOutcome outcome;
-  const double tip = kNotch - kLength / 2;
+  const double tip = kNotch - kStripLength / 2;
   for (const CrackEvent& event : world.frame().crack_events)
-    outcome.advance = std::max(outcome.advance, (event.rest_position.y() - tip) / (kLength - kNotch));
+    outcome.advance = std::max(outcome.advance, (event.rest_position.y() - tip) / (kStripLength - kNotch));
   outcome.energy = world.frame().energy;
   outcome.energy -= before;
   outcome.area = outcome.energy.crack_area;
@@ -112,7 +112,7 @@ TEST_P(StripCrack, RunsThroughAboveTheFractureEnergy) {
 TEST_P(StripCrack, TakesTheFractureEnergyOfItsAreaInExplicitDynamics) {
   for (const double energy : {1.6, 2.0}) {
     const StripOutcome outcome = crack_of(strip(energy));
-    const double whole = fracture_energy(brittle()) * (kLength - kNotch) * kSize;
+    const double whole = fracture_energy(brittle()) * (kStripLength - kNotch) * kSize;
     EXPECT_NEAR(outcome.energy.fracture / whole, 1, 0.05) << energy;
     EXPECT_LT(std::abs(outcome.energy.contacts), 0.05 * whole) << "the law of bonds agrees with their impulses";
     EXPECT_LT(std::abs(outcome.energy.unaccounted()), 1e-3 * whole);
@@ -127,7 +127,7 @@ TEST_P(StripCrack, StaysOneCrackWhereElementsAreSmallerThanTheCharacteristicLeng
   fine.size = 0.0625;
   fine.strength = brittle().fracture_toughness / std::sqrt(2 * fine.size);
   const StripOutcome outcome = crack_of(fine);
-  const double area = (kLength - kNotch) * fine.size;
+  const double area = (kStripLength - kNotch) * fine.size;
   EXPECT_GT(outcome.advance, 0.9);
   EXPECT_NEAR(outcome.energy.fracture / (fracture_energy(brittle()) * area), 1, 0.1);
   EXPECT_LT(outcome.area, 2 * area);
@@ -140,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(PatternsAndOrders, StripCrack,
 TEST(StripCrackEnergy, ScaledBodiesTakeTheFractureEnergyToo) {
   const StripOutcome outcome =
       crack_of({BoxPattern::kuhn, ElementOrder::linear, 1.6, Integrator::hybrid, Analysis::dynamic, 1});
-  const double whole = fracture_energy(brittle()) * (kLength - kNotch) * kSize;
+  const double whole = fracture_energy(brittle()) * (kStripLength - kNotch) * kSize;
   EXPECT_GT(outcome.advance, 0.9);
   EXPECT_NEAR(outcome.energy.fracture / whole, 1, 0.1);
 }

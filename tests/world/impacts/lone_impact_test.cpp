@@ -8,11 +8,11 @@
 #include <cmath>
 #include <vector>
 
-#include "../random_values.h"
 #include "sim/core/parallel.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/setup/build_world.h"
 #include "sim/world/world.h"
+#include "tests/random_values.h"
 
 namespace griffith {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/world/contact_case.h"
-#include "tests/world/contact_scenes.h"
+#include "tests/world/contact/contact_case.h"
+#include "tests/world/contact/contact_scenes.h"
 
 namespace griffith {
 namespace {
