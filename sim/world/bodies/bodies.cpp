@@ -39,7 +39,7 @@ ContactWorld::Proxy proxy_of(const WorldState& world, const Body& body) {
   return {body.collision_parts,
           {body.motion.mass, body.motion.inertia},
           body.supported() ? Mobility::kinematic : Mobility::free,
-          {{body.motion.center, body.orientation}, body.motion.velocity, body.motion.angular_velocity},
+          proxy_state(body),
           {material.friction, material.restitution}};
 }
 
@@ -259,6 +259,12 @@ void rebuild_body(WorldState& world, Body& body) {
   rebuild_shape(world, body);
   body.collision_parts = collision_parts(world, body);
   reshape_proxy(world, body);
+}
+
+RigidState proxy_state(const Body& body) {
+  const Pose pose{body.motion.center, body.orientation};
+  if (body.supported()) return {pose, Vec3::Zero(), Vec3::Zero()};
+  return {pose, body.motion.velocity, body.motion.angular_velocity};
 }
 
 void fit_proxy(WorldState& world, Body& body) {

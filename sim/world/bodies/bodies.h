@@ -33,6 +33,8 @@ double depth_of(const WorldState& world, const Body& body);
 /// Rebuilds nodes, surface, system and motion of a body. Writes only data of the body. Returns the energy that it lost
 /// if it becomes rigid [J].
 double rebuild_shape(WorldState& world, Body& body);
+/// Returns the state of a body's proxy. What supports hold stands still for others, however it vibrates.
+RigidState proxy_state(const Body& body);
 /// Fits the proxy of a body that becomes rigid or falls asleep to its deformed shape.
 void fit_proxy(WorldState& world, Body& body);
 /// Fits the proxy of a deformable body to its shape if the two differ visibly. The body keeps its orientation.

@@ -250,9 +250,7 @@ void place_proxies(WorldState& world) {
   for (Body& body : world.bodies) {
     if (body.asleep) continue;
     if (body.is_deformable() && deforms_visibly(world, body)) follow_deformation(world, body);
-    RigidState state{{body.motion.center, body.orientation}, body.motion.velocity, body.motion.angular_velocity};
-    if (body.supported()) state.velocity = state.angular_velocity = Vec3::Zero();
-    world.contact_world.set_state(body.proxy, state);
+    world.contact_world.set_state(body.proxy, proxy_state(body));
   }
 }
 
