@@ -23,10 +23,10 @@ int steps_of(const std::string& scene) {
 }
 
 /// Shattered bodies of quadratic elements close less well (docs/fracture.md, "Where the energy goes").
-double tolerance_of(const Scene& scene) {
+double tolerance_of(const Frame& frame) {
   constexpr double kShattered = 0.05;
   const bool is_quadratic = std::ranges::any_of(
-      scene.bodies, [](const BodyDescription& body) { return body.elements == ElementOrder::quadratic; });
+      frame.element_choices, [](const ElementChoice& choice) { return choice.order == ElementOrder::quadratic; });
   return is_quadratic ? kShattered : kTolerance;
 }
 
@@ -43,7 +43,7 @@ TEST(EnergyAccount, EverySceneCloses) {
       for (int i = 0; i < steps; ++i) world.step();
       const Frame frame = world.frame();
       EXPECT_GT(frame.energy.turned_over(), 0) << file.path();
-      EXPECT_LT(testing::fraction_unaccounted(frame.energy), tolerance_of(scene)) << file.path();
+      EXPECT_LT(testing::fraction_unaccounted(frame.energy), tolerance_of(frame)) << file.path();
       // Implicit steps take from one of these what they give to the other; overlaps of bodies at rest go at some work.
       constexpr double kOverlaps = 0.1;  // [J]
       EXPECT_GT(frame.energy.contacts + frame.energy.time_integration,
