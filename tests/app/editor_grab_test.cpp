@@ -106,6 +106,7 @@ TEST_F(EditorGrab, RewindAndReplayRepeatItToTheBit) {
   make_steps(19);
   EXPECT_EQ(editor_.run().world().state_hash(), end);
   EXPECT_EQ(editor_.run().timeline().branches().size(), 1u);
+  std::filesystem::remove(test_folder() / "grab.tar.zst");
   editor_.execute({.name = "file.write_recording", .path = test_folder() / "grab.tar.zst"});
   const Recording recording = read_recording(test_folder() / "grab.tar.zst");
   EXPECT_EQ(recording.inputs.size(), 12u);
