@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <filesystem>
+
 #include "editor_fixture.h"
 #include "sim/recording/replay.h"
 

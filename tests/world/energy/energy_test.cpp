@@ -143,7 +143,7 @@ TEST(Energy, BlocksOfAnySizeThatMeetKeepTheirMomentumAndGainNone) {
 // A length scaled by s, with times scaled alike: speeds, stresses and what breaks are the same.
 TEST(Energy, ASceneScaledThroughoutBehavesAlike) {
   const auto outcome = [](double scale) {
-    Scene scene = meeting_blocks(3, scale);
+    Scene scene = meeting_blocks(4, scale);
     for (BodyDescription& body : scene.bodies) body.material.fracture_toughness *= std::sqrt(scale);
     World world(scene);
     for (int step = 0; step < 12; ++step) world.step();
