@@ -30,9 +30,6 @@ struct CrackSides {
   std::array<Bond, 3> bonds{};  ///< by corner; forces and openings as they act in the bodies
 };
 
-/// Returns the face of a tet with these corners: that opposite the fourth.
-inline int face_of(const std::array<int, 3>& corners) { return 6 - corners[0] - corners[1] - corners[2]; }
-
 /// Nodes of both sides in the bodies.
 struct NodesOfSides {
   std::array<int, 3> first{}, second{};

@@ -17,6 +17,9 @@ struct OpenFace {
   std::array<int, 3> second_corners{};  ///< the coincident corners of `second`
 };
 
+/// Returns the face of a tet with these corners: that opposite the fourth.
+inline int face_of(const std::array<int, 3>& corners) { return 6 - corners[0] - corners[1] - corners[2]; }
+
 /// Returns the pairs of open faces around nodes that coincide at rest: one at a crack front, or all copies of one.
 /// Ascending by `first`.
 std::vector<OpenFace> open_faces_at(const TetMesh& mesh, std::span<const NodeId> nodes);

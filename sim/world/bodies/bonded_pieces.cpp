@@ -32,9 +32,7 @@ double untaken_part(const CohesiveFace& face) {
 /// Counts the part of an opened face whose energy its bonds have not taken as crack area, or not. `sign`: 1 if it is
 /// free from now on, −1 if it is held.
 void account_held(WorldState& world, const CohesiveFace& face, double sign) {
-  const std::array<int, 3>& corners = face.face.first_corners;
-  const int opposite = 6 - corners[0] - corners[1] - corners[2];
-  account_crack(world, face.face.first, opposite, 2 * sign * untaken_part(face));  // both sides
+  account_crack(world, face.face.first, face_of(face.face.first_corners), 2 * sign * untaken_part(face));  // both sides
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include "sim/fracture/cohesion.h"
 #include "sim/fracture/fracture_law.h"
 #include "sim/fracture/resistance.h"
-#include "sim/mesh/topology.h"
 #include "sim/world/bodies/bonded_pieces.h"
 #include "sim/world/explicit/explicit_run.h"
 #include "sim/world/fracture/separation_phase.h"

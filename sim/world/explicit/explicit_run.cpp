@@ -59,15 +59,7 @@ void ExplicitRun::build(std::vector<explicit_dynamics::Obstacle> obstacles) {
   world_.report.relieved_tets = std::max(world_.report.relieved_tets, relieved);
   contacts_.emplace(explicit_bodies_, surface_of_bodies(), crack_sides(world_, tets_, group_ != 0),
                     std::move(obstacles), surfaces_, size);
-  find_cracks();
-}
-
-/// Finds the cracks of the contacts, and bonds them as they were.
-void ExplicitRun::find_cracks() {
-  cracks_by_face_ = CracksByFace(tets_.size());
-  for (int i = 0; i < contacts_->crack_count(); ++i) cracks_by_face_.add(*contacts_, i);
-  restore_bonds(world_, slot_of_tet_, explicit_bodies_, cracks_by_face_, *contacts_);
-  contacts_->tie_edges(explicit_bodies_);
+  cracks_by_face_ = restore_bonds(world_, slot_of_tet_, explicit_bodies_, *contacts_);
 }
 
 void ExplicitRun::add_body(const Body& body, const ExternalForces& external) {

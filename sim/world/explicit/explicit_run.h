@@ -115,7 +115,6 @@ class ExplicitRun {
   void constrain_again();
   void bond_copies(NodeId original, std::span<const NodeId> made, double utilization);
   double front_stress(NodeId node) const;
-  void find_cracks();
   void store_bonds();
   void update_threshold(int index);
   void update_linear_states(std::span<const TetId> tets, const Body& body, std::vector<ElementState>& states);

@@ -6,15 +6,20 @@
 
 namespace griffith {
 
+CracksByFace::CracksByFace(const explicit_dynamics::MicrostepContacts& contacts, int slots)
+    : crack_of_face_(4 * static_cast<std::size_t>(slots), -1) {
+  for (int i = 0; i < contacts.crack_count(); ++i) add(contacts, i);
+}
+
 void CracksByFace::add(const explicit_dynamics::MicrostepContacts& contacts, int crack) {
   const explicit_dynamics::CrackSides& sides = contacts.crack(crack);
-  crack_of_face_[4 * sides.first_slot + explicit_dynamics::face_of(sides.first_corners)] = crack;
-  crack_of_face_[4 * sides.second_slot + explicit_dynamics::face_of(sides.second_corners)] = crack;
+  crack_of_face_[4 * sides.first_slot + face_of(sides.first_corners)] = crack;
+  crack_of_face_[4 * sides.second_slot + face_of(sides.second_corners)] = crack;
 }
 
 void CracksByFace::bond(explicit_dynamics::MicrostepContacts& contacts, const OpenFace& face, int first_slot,
                         int corner, const Bond& bond) const {
-  const int crack = crack_of_face_[4 * first_slot + explicit_dynamics::face_of(face.first_corners)];
+  const int crack = crack_of_face_[4 * first_slot + face_of(face.first_corners)];
   if (crack < 0) return;
   const explicit_dynamics::CrackSides& sides = contacts.crack(crack);
   const std::array<int, 3>& corners = sides.first_slot == first_slot ? sides.first_corners : sides.second_corners;
@@ -22,9 +27,9 @@ void CracksByFace::bond(explicit_dynamics::MicrostepContacts& contacts, const Op
   contacts.bond(crack, static_cast<int>(place), bond);
 }
 
-void restore_bonds(const WorldState& world, std::span<const int> slot_of_tet,
-                   const explicit_dynamics::ExplicitBodies& bodies, const CracksByFace& cracks,
-                   explicit_dynamics::MicrostepContacts& contacts) {
+CracksByFace restore_bonds(const WorldState& world, std::span<const int> slot_of_tet,
+                           explicit_dynamics::ExplicitBodies& bodies, explicit_dynamics::MicrostepContacts& contacts) {
+  CracksByFace cracks(contacts, bodies.tet_slots());
   for (const CohesiveFace& known : world.cohesive_faces) {
     const int first = slot_of_tet[known.face.first], second = slot_of_tet[known.face.second];
     if (first < 0 || second < 0) continue;
@@ -40,6 +45,8 @@ void restore_bonds(const WorldState& world, std::span<const int> slot_of_tet,
       if (acting.opening < acting.critical) cracks.bond(contacts, known.face, first, i, acting);
     }
   }
+  contacts.tie_edges(bodies);
+  return cracks;
 }
 
 }  // namespace griffith

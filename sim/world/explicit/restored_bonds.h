@@ -13,8 +13,9 @@ struct WorldState;
 /// Cracks of microsteps by the faces of tets that are their sides.
 class CracksByFace {
  public:
-  /// `slots`: number of tet slots of the explicit bodies.
-  explicit CracksByFace(std::size_t slots = 0) : crack_of_face_(4 * slots, -1) {}
+  CracksByFace() = default;
+  /// Takes all cracks of the contacts of explicit bodies with that many tet slots.
+  CracksByFace(const explicit_dynamics::MicrostepContacts& contacts, int slots);
 
   /// Takes a crack of the microsteps' contacts.
   void add(const explicit_dynamics::MicrostepContacts& contacts, int crack);
@@ -27,10 +28,9 @@ class CracksByFace {
   std::vector<int> crack_of_face_;  ///< per 4·slot + face; -1: none
 };
 
-/// Bonds the cracks of microsteps as the world's cohesive faces are. What has opened since is broken so far, for
-/// nothing. `slot_of_tet`: -1 for tets outside the microsteps.
-void restore_bonds(const WorldState& world, std::span<const int> slot_of_tet,
-                   const explicit_dynamics::ExplicitBodies& bodies, const CracksByFace& cracks,
-                   explicit_dynamics::MicrostepContacts& contacts);
+/// Bonds the cracks of new contacts as the world's cohesive faces are, and ties the edges along them. What has opened
+/// since is broken so far, for nothing. `slot_of_tet`: -1 for tets outside the microsteps. Returns the cracks.
+CracksByFace restore_bonds(const WorldState& world, std::span<const int> slot_of_tet,
+                           explicit_dynamics::ExplicitBodies& bodies, explicit_dynamics::MicrostepContacts& contacts);
 
 }  // namespace griffith

@@ -214,10 +214,7 @@ void Trial::add_bonds() {
   std::vector<int> slot_of_tet(world_.mesh->tets.size(), -1);
   for (int slot = 0; slot < static_cast<int>(parts_.tets.size()); ++slot)
     if (parts_.tets[slot].valid()) slot_of_tet[parts_.tets[slot]] = slot;
-  CracksByFace cracks(parts_.tets.size());
-  for (int i = 0; i < contacts_->crack_count(); ++i) cracks.add(*contacts_, i);
-  restore_bonds(world_, slot_of_tet, explicit_bodies_, cracks, *contacts_);
-  contacts_->tie_edges(explicit_bodies_);
+  restore_bonds(world_, slot_of_tet, explicit_bodies_, *contacts_);
 }
 
 /// Moves the objects until they touch: nothing is deformed yet. Returns false if that takes longer than `wait` [s].
