@@ -57,7 +57,7 @@ TEST_P(ElasticWorksTest, ChangeByTheSystemsStiffness) {
   EXPECT_GT(works.change, 0);
 }
 
-/// What moves a body as a whole changes the forces, but does no work.
+/// Motion of a body as a whole changes the forces, but does no work.
 TEST_P(ElasticWorksTest, ChangeOverWhatDeformsAlone) {
   WorldState world = moving_block(GetParam());
   const Body& body = world.bodies[0];
