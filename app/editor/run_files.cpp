@@ -5,6 +5,7 @@
 
 #include "app/editor/curve_table.h"
 #include "app/editor/messages.h"
+#include "app/editor/view_render.h"
 #include "app/output/bug_report.h"
 #include "app/output/output.h"
 #include "app/shared/scene_files.h"
@@ -90,6 +91,19 @@ void RunFiles::begin_export(const ui::Command& command) {
   if (!may_replace(state_, command, file_in_the_way(command.path, run_.timeline()))) return;
   state_.running = false;
   export_ = start_export(command.path, run_.timeline(), viewport_.display(), viewport_.exported_view(run_.built()));
+  state_.work = export_->stage();
+}
+
+void RunFiles::begin_render(const ui::Command& command) {
+  const ui::RenderRequest& request = state_.render;
+  const bool is_batch = request.subject == ui::RenderedSubject::scenes;
+  if (!is_batch && !may_replace(state_, command, file_in_the_way(command.path, request))) return;
+  state_.running = false;
+  const ExportedView view = viewport_.exported_view(run_.built());
+  export_ = is_batch ? start_batch(document_.absolute_path().parent_path(), command.path, request)
+                     : start_render(command.path, request,
+                                    {run_.world(), run_.built(), viewport_.display(), viewport_.range(),
+                                     viewport_.camera(), view.view, view.hidden});
   state_.work = export_->stage();
 }
 

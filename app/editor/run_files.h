@@ -37,6 +37,9 @@ class RunFiles {
   /// Begins to export the current branch for other programs, as a video or as pictures of the view.
   void begin_export(const ui::Command& command);
 
+  /// Begins to draw what state.render asks for into the file, or folder, of the command.
+  void begin_render(const ui::Command& command);
+
   /// Continues an export; call it in every drawn frame.
   void go_on();
   /// Describes the progress of an export; empty if there is none.

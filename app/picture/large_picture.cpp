@@ -1,6 +1,7 @@
 #include "app/picture/large_picture.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace griffith::app {
 namespace {
@@ -45,6 +46,12 @@ void copy_rows(const std::vector<Value>& part, std::vector<Value>& whole, const 
 }
 
 }  // namespace
+
+bool is_possible_size(int width, int height) {
+  constexpr std::int64_t kMaxPixels = 400'000'000;  // of what PNG encoders index with 31 bits
+  const auto possible = [](int side) { return side >= kMinPictureSide && side <= kMaxPictureSide; };
+  return possible(width) && possible(height) && std::int64_t{width} * height <= kMaxPixels;
+}
 
 PaintedPicture paint_in_parts(const render::RenderOptions& whole, int largest_part,
                               const std::function<PaintedPicture(const render::RenderOptions&)>& paint) {

@@ -15,6 +15,11 @@ struct PaintedPicture {
 /// Largest side of what is drawn at once [pixels]; drivers may allow no more than 16384, and memory less.
 inline constexpr int kLargestPart = 4096;
 
+/// Sides of pictures [pixels].
+inline constexpr int kMinPictureSide = 16, kMaxPictureSide = 65536;
+/// True if a picture of this size can be drawn: up to 400 million pixels.
+bool is_possible_size(int width, int height);
+
 /// Draws a picture of any size: at once, or in parts that `paint` draws, if a side is longer than `largest_part`
 /// [pixels]. Parts overlap, so that effects which depend on neighboring pixels have no seams.
 PaintedPicture paint_in_parts(const render::RenderOptions& whole, int largest_part,

@@ -68,12 +68,6 @@ std::size_t picture_count(const RenderJob& job) {
   return job.frames.size() * job.cameras.size() * job.views.size() * static_cast<std::size_t>(turns_of(job));
 }
 
-bool is_possible_size(int width, int height) {
-  constexpr std::int64_t kMaxPixels = 400'000'000;  // of what PNG encoders index with 31 bits
-  const auto possible = [](int side) { return side >= kMinPictureSide && side <= kMaxPictureSide; };
-  return possible(width) && possible(height) && std::int64_t{width} * height <= kMaxPixels;
-}
-
 std::vector<std::string> picture_names(const RenderJob& job) {
   std::vector<std::string> names;
   for (const int frame : job.frames)

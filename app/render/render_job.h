@@ -69,10 +69,8 @@ std::string picture_name(const RenderJob& job, const std::string& camera, const 
 /// Returns the number of pictures of a job.
 std::size_t picture_count(const RenderJob& job);
 
-/// Sides of pictures [pixels], and most pictures of a turntable.
-inline constexpr int kMinPictureSide = 16, kMaxPictureSide = 65536, kMaxTurntable = 3600;
-/// True if a picture of this size can be drawn: up to 400 million pixels.
-bool is_possible_size(int width, int height);
+/// Most pictures of a turntable.
+inline constexpr int kMaxTurntable = 3600;
 
 /// Returns the names of all pictures of a job in drawing order; a single time step is no part of them.
 std::vector<std::string> picture_names(const RenderJob& job);

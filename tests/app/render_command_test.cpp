@@ -249,6 +249,7 @@ TEST(RenderCommand, AFileOfJobsDrawsThemAllAndOneAlone) {
 TEST(RenderCommand, ATurntableGoesOnceAroundTheTarget) {
   const std::filesystem::path folder = test_folder() / "turntable";
   std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
   const std::string command = "render " + small_wall_file().string() + " --size 160x100 --no-legend --frame 4 -o " +
                               (folder / "wall.png").string();
   ASSERT_EQ(run_program(command + " --turntable 4").code, 0);
@@ -268,6 +269,7 @@ TEST(RenderCommand, ATurntableGoesOnceAroundTheTarget) {
 TEST(RenderCommand, EveryNthAngleOfAFinerTurntableIsThatOfACoarseOne) {
   const std::filesystem::path folder = test_folder() / "angles";
   std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
   const auto draw = [&](const std::string& name, int count) {
     const Outcome outcome = run_program("render " + small_wall_file().string() + " --size 160x100 --turntable " +
                                         std::to_string(count) + " -o " + (folder / (name + ".png")).string());

@@ -21,6 +21,7 @@ Dialog shown_dialog(const EditorState& state) {
   if (state.show_preferences) return Dialog::preferences;
   if (state.asked_steps) return Dialog::steps;
   if (state.array) return Dialog::array;
+  if (state.render.shown) return Dialog::render;
   if (state.palette.shown) return Dialog::palette;
   return state.show_help ? Dialog::help : Dialog::none;
 }

@@ -25,6 +25,7 @@ enum class Dialog {
   preferences,
   steps,
   array,
+  render,
   palette,
   help
 };

@@ -192,6 +192,8 @@ void draw_dialogs(Panel& panel) {
       return draw_steps_dialog(panel);
     case Dialog::array:
       return draw_array_dialog(panel);
+    case Dialog::render:
+      return draw_render_dialog(panel);
     case Dialog::palette:
       return draw_palette_dialog(panel);
     case Dialog::help:

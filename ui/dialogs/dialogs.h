@@ -27,6 +27,8 @@ void draw_scenes_dialog(Panel& panel);
 void draw_steps_dialog(Panel& panel);
 /// Asks for the number and distance of repeated bodies.
 void draw_array_dialog(Panel& panel);
+/// Asks what pictures are drawn, in which size.
+void draw_render_dialog(Panel& panel);
 /// Finds a command by letters of its name.
 void draw_palette_dialog(Panel& panel);
 /// Asks whether a very large mesh is built.

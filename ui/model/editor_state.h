@@ -20,6 +20,7 @@
 #include "ui/model/number_edit.h"
 #include "ui/model/painted_region.h"
 #include "ui/model/preferences.h"
+#include "ui/model/render_request.h"
 #include "ui/model/run_curves.h"
 #include "ui/model/scene_browser.h"
 #include "ui/model/scene_entry.h"
@@ -160,6 +161,7 @@ struct EditorState {
   bool explain_first_crack = false;   ///< selects the node of the next crack, so that the inspector explains it
   std::int64_t steps_left = 0;        ///< steps until the simulation stops; 0: runs on
   std::optional<int> asked_steps;     ///< number in the dialog that asks for steps
+  RenderRequest render;               ///< input of the dialog that draws pictures
   std::optional<ArrayRequest> array;  ///< input of the dialog that repeats bodies while it is open
   ViewSettings view;                  ///< current view; starts with the scene's
   ProjectileBurst shot;               ///< settings of the projectile tool; position and direction come from the cursor
