@@ -7,6 +7,7 @@
 #include "sim/core/tet_edge_corners.h"
 #include "sim/elasticity/eigenvalues.h"
 #include "sim/elasticity/stiffness.h"
+#include "sim/world/explicit/similarity.h"
 #include "sim/world/state/corners.h"
 
 namespace griffith {
@@ -18,8 +19,8 @@ using FourMatrices = simd::Matrix3<DoubleLanes>;
 /// Four tets side by side before they move.
 struct FourStarts {
   FourMatrices frame, gradient;  ///< gradient: of the displacements
-  simd::Symmetric3<DoubleLanes> stress;
-  DoubleLanes volume;
+  simd::Symmetric3<DoubleLanes> stress, compaction;
+  DoubleLanes volume, energy_density;
 };
 
 struct FourWorks {
@@ -71,13 +72,33 @@ FourStarts starts_of(const WorldState& world, const std::array<TetId, 4>& tets, 
     return (ways[i][0] * slopes[j][0] + ways[i][1] * slopes[j][1]) +
            (ways[i][2] * slopes[j][2] + ways[i][3] * slopes[j][3]);
   });
-  const auto stress = [&](double SymmetricMat3::*entry) {
-    return lanes([&](TetId tet) { return state(tet).stress.*entry; });
+  const auto symmetric = [&](SymmetricMat3 ElementState::*matrix) -> simd::Symmetric3<DoubleLanes> {
+    const auto entry = [&](double SymmetricMat3::*of) {
+      return lanes([&](TetId tet) { return state(tet).*matrix.*of; });
+    };
+    return {entry(&SymmetricMat3::xx), entry(&SymmetricMat3::yy), entry(&SymmetricMat3::zz),
+            entry(&SymmetricMat3::xy), entry(&SymmetricMat3::xz), entry(&SymmetricMat3::yz)};
   };
-  starts.stress = {stress(&SymmetricMat3::xx), stress(&SymmetricMat3::yy), stress(&SymmetricMat3::zz),
-                   stress(&SymmetricMat3::xy), stress(&SymmetricMat3::xz), stress(&SymmetricMat3::yz)};
+  starts.stress = symmetric(&ElementState::stress);
+  starts.compaction = symmetric(&ElementState::compaction);
+  starts.energy_density = lanes([&](TetId tet) { return state(tet).energy_density; });
   starts.volume = lanes([&](TetId tet) { return rest(tet).volume; });
   return starts;
+}
+
+/// Returns the change of the work against compaction per volume: tr(l)² + ½ |sym(l)|² of l = ∇u (B C)ᵀ
+/// (stiffness_row()).
+DoubleLanes compaction_work(const FourStarts& starts) {
+  const auto &b = starts.frame.at, &g = starts.gradient.at;
+  const FourMatrices c = full(starts.compaction);
+  const FourMatrices bc =
+      matrix_of([&](int i, int j) { return b[i][0] * c.at[0][j] + (b[i][1] * c.at[1][j] + b[i][2] * c.at[2][j]); });
+  const auto rate = [&](int i, int j) {
+    return g[i][0] * bc.at[j][0] + (g[i][1] * bc.at[j][1] + g[i][2] * bc.at[j][2]);
+  };
+  const FourMatrices symmetric = matrix_of([&](int i, int j) { return 0.5 * (rate(i, j) + rate(j, i)); });
+  const DoubleLanes trace = trace_of(symmetric);
+  return trace * trace + 0.5 * sum_of_products(symmetric, symmetric);
 }
 
 FourWorks works_of(const ElasticLaw& law, const FourStarts& starts) {
@@ -86,13 +107,12 @@ FourWorks works_of(const ElasticLaw& law, const FourStarts& starts) {
   const FourMatrices turned =
       matrix_of([&](int i, int j) { return f[0][i] * g[0][j] + (f[1][i] * g[1][j] + f[2][i] * g[2][j]); });
   const FourMatrices strain = matrix_of([&](int i, int j) { return 0.5 * (turned.at[i][j] + turned.at[j][i]); });
-  const DoubleLanes trace = trace_of(strain), stress_trace = trace_of(stress);
-  const double fraction = law.lambda / (3 * law.lambda + 2 * law.mu);
+  const DoubleLanes trace = trace_of(strain);
   FourWorks works;
   works.first = starts.volume * sum_of_products(stress, strain);
   works.change = starts.volume * (law.lambda * trace * trace + 2 * law.mu * sum_of_products(strain, strain));
-  works.energy_density =
-      0.5 * ((sum_of_products(stress, stress) - fraction * stress_trace * stress_trace) / (2 * law.mu));
+  if (law.compaction > 0) works.change += starts.volume * compaction_work(starts);
+  works.energy_density = starts.energy_density;
   if (law.model == ElementModel::green_strain) {
     const auto& t = full(simd::tensile_part(starts.stress)).at;
     const FourMatrices carried =
@@ -160,7 +180,7 @@ double twice_energy_density(const ElasticLaw& law, const Mat3& stress) {
 ElasticWorks elastic_works(const WorldState& world, const Body& body, double dt) {
   if (!body.edges.empty()) return quadratic_works(world, body, dt);
   constexpr int kLanes = simd::kDoubleLanes;
-  const ElasticLaw law = elastic_law(world.material_of(body));
+  const ElasticLaw law = effective_elastic_law(world, body);
   const int count = static_cast<int>(body.tets.size());
   std::vector<FourWorks> of_tets((count + kLanes - 1) / kLanes);
   parallel_for(static_cast<int>(of_tets.size()), 256, [&](int begin, int end) {
