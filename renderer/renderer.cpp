@@ -67,11 +67,16 @@ Effects effects_of(Quality quality) {
   return {};
 }
 
+/// Returns the picture of which a part is drawn, or all of it.
+PicturePart whole_of(const RenderOptions& options) {
+  return options.part.value_or(PicturePart{0, 0, options.width, options.height});
+}
+
 /// Returns the side of the shadow map in texels. In a draft a texel need not be smaller than a pixel at the camera's
 /// target.
 int shadow_texels(const Focus& focus, const Camera& camera, const RenderOptions& options) {
   if (options.quality != Quality::draft) return ShadowMap::kMostTexels;
-  const float pixel = height_at_target(camera) / static_cast<float>(options.height);  // [m]
+  const float pixel = height_at_target(camera) / static_cast<float>(whole_of(options).whole_height);  // [m]
   const float texels = std::min(2 * focus.radius / pixel, static_cast<float>(ShadowMap::kMostTexels));
   return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(texels))));
 }
@@ -84,13 +89,31 @@ Vec4 surroundings_of(const DrawScene& scene) {
   return {light(color.r), light(color.g), light(color.b), scene.environment.strength};
 }
 
+/// Returns the transform of clip space that leaves the drawn part of the picture alone.
+Mat4 crop(const RenderOptions& options) {
+  const auto [left, top, width, height] = whole_of(options);
+  const int bottom = height - top - options.height;
+  Mat4 transform = Mat4::Identity();
+  const auto cut = [&](int axis, int start, int part, int whole) {
+    transform(axis, axis) = static_cast<float>(whole) / static_cast<float>(part);
+    transform(axis, 3) = static_cast<float>(whole - 2 * start - part) / static_cast<float>(part);
+  };
+  cut(0, left, options.width, width);
+  cut(1, bottom, options.height, height);
+  return transform;
+}
+
 ViewBlock picture_view(const Camera& camera, const Eigen::AlignedBox3f& box, const Target& target,
-                       const ViewBlock& shadow_view, const Effects& effects) {
+                       const RenderOptions& options, const ViewBlock& shadow_view, const Effects& effects) {
+  const PicturePart whole = whole_of(options);
   const float width = static_cast<float>(target.width()), height = static_cast<float>(target.height());
+  const float whole_width = static_cast<float>(whole.whole_width),
+              whole_height = static_cast<float>(whole.whole_height);
   ViewBlock block = shadow_view;
-  block.view_projection = projection_matrix(camera, width / height, box) * view_matrix(camera);
+  const Mat4 projection = projection_matrix(camera, whole_width / whole_height, box);
+  block.view_projection = (options.part ? crop(options) * projection : projection) * view_matrix(camera);
   block.eye << camera.position, 1;
-  block.viewport << width, height, static_cast<float>(target.samples()), 0;
+  block.viewport << width, height, static_cast<float>(target.samples()), whole_height / height;
   block.effects << effects.penumbra, static_cast<float>(effects.shadow_samples), 0, 0;
   return block;
 }
@@ -342,8 +365,8 @@ void Renderer::render(const DrawScene& scene, const Camera& camera, const Render
   passes_->upload(scene, options.pixel_scale);
   passes_->hidden = hidden_backs_from(scene, has_glass(scene, options), camera.position);
   passes_->draw_shadow_maps(scene, shadow_view, options, texels);
-  ViewBlock view =
-      picture_view(camera, visible_box(scene, focus, box), passes_->target, shadow_view, effects_of(options.quality));
+  ViewBlock view = picture_view(camera, visible_box(scene, focus, box), passes_->target, options, shadow_view,
+                                effects_of(options.quality));
   view.effects.z() = has_glass(scene, options) ? 1.0f : 0.0f;
   view.effects.w() = scene.environment.kind == Environment::Kind::sky ? 1.0f : 0.0f;
   view.surroundings = surroundings_of(scene);

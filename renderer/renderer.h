@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "renderer/camera.h"
 #include "renderer/draw_scene.h"
@@ -16,10 +17,17 @@ enum class Quality {
   high,      ///< like standard, with more samples
 };
 
+/// Part of a larger picture.
+struct PicturePart {
+  int left = 0, top = 0;                       ///< its upper left corner in the picture [pixels]
+  int whole_width = 1280, whole_height = 720;  ///< size of the picture [pixels]
+};
+
 struct RenderOptions {
-  int width = 1280, height = 720;  ///< [pixels]
-  int samples = 1;                 ///< per pixel; 4 on screen, 1 for reproducible headless images
-  bool edges = true;               ///< draws the edges marked in Surface::flags
+  int width = 1280, height = 720;   ///< size of what is drawn [pixels]
+  std::optional<PicturePart> part;  ///< absent: the whole picture
+  int samples = 1;                  ///< per pixel; 4 on screen, 1 for reproducible headless images
+  bool edges = true;                ///< draws the edges marked in Surface::flags
   bool shadows = true;
   Quality quality = Quality::draft;
   bool unlit_scalars = false;  ///< draws scalars in exactly the legend's colors: no shading, no shadow

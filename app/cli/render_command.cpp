@@ -9,6 +9,7 @@
 #include "app/render/picture_output.h"
 #include "app/render/read_render_jobs.h"
 #include "app/render/render_job.h"
+#include "app/shared/scene_files.h"
 #include "app/shared/text_table.h"
 #include "renderer/egl_context.h"
 #include "sim/core/error.h"
@@ -21,11 +22,10 @@
 namespace griffith::app {
 namespace {
 
-constexpr int kMaxPixels = 16384;
-
 struct RenderOptions {
-  RenderJob job;
-  std::filesystem::path output;    ///< a PNG file, or a folder for the pictures of a job file
+  RenderJob job;                              ///< its scene is one of `scenes`
+  std::vector<std::filesystem::path> scenes;  ///< scene files, or folders of them
+  std::filesystem::path output;    ///< a PNG file, or a folder for the pictures of several scenes or of a job file
   std::filesystem::path job_file;  ///< empty: only `job`
   std::string only;                ///< name of the only job of the file to draw; empty: all
   std::vector<std::string> set;    ///< "POINTER=VALUE"
@@ -60,9 +60,9 @@ void list_views() {
 std::string read_size(const std::string& text, RenderJob& job) {
   char rest = 0;
   const bool good = std::sscanf(text.c_str(), "%dx%d%c", &job.width, &job.height, &rest) == 2;
-  const auto possible = [](int pixels) { return pixels >= 16 && pixels <= kMaxPixels; };
-  if (good && possible(job.width) && possible(job.height)) return {};
-  return "--size: \"" + text + "\" is not a size: write WIDTHxHEIGHT, such as 1280x720, each from 16 to 16384";
+  if (good && is_possible_size(job.width, job.height)) return {};
+  return "--size: \"" + text +
+         "\" is not a size: write WIDTHxHEIGHT, such as 1280x720, each from 16 to 65536 and 400 million pixels at most";
 }
 
 void require_png(const std::filesystem::path& path) {
@@ -73,10 +73,31 @@ void require_png(const std::filesystem::path& path) {
 /// True if even a single picture gets a numbered name.
 bool is_numbered(const RenderOptions& options) { return options.every > 0 || !options.frames.empty(); }
 
+/// True if several scenes are drawn, so that their names are those of the pictures.
+bool is_batch(const RenderOptions& options) {
+  return options.scenes.size() > 1 || (options.scenes.size() == 1 && std::filesystem::is_directory(options.scenes[0]));
+}
+
+/// Returns the scenes of the command line, with those in folders.
+std::vector<std::filesystem::path> all_scenes(const RenderOptions& options) {
+  std::vector<std::filesystem::path> all;
+  for (const std::filesystem::path& path : options.scenes) {
+    if (!std::filesystem::is_directory(path)) {
+      all.push_back(path);
+      continue;
+    }
+    const std::vector<std::filesystem::path> found = scenes_in(path);
+    if (found.empty()) throw InputError(path.string(), "has no scene files", "name a folder with .json scenes");
+    all.insert(all.end(), found.begin(), found.end());
+  }
+  return all;
+}
+
 /// Returns the job of a scene on the command line.
-RenderJob single_job(const RenderOptions& options) {
+RenderJob job_of(const RenderOptions& options, const std::filesystem::path& scene) {
   RenderJob job = options.job;
-  job.name = options.output.stem().string();
+  job.scene = scene;
+  job.name = is_batch(options) ? scene.stem().string() : options.output.stem().string();
   if (!options.frames.empty()) {
     job.frames = frames_from_text(options.frames, "--frames");
   } else if (options.every > 0) {
@@ -88,8 +109,21 @@ RenderJob single_job(const RenderOptions& options) {
   return job;
 }
 
+/// Returns the jobs of the scenes on the command line. Throws InputError if two would have the same pictures.
+std::vector<RenderJob> jobs_of_scenes(const RenderOptions& options) {
+  std::vector<RenderJob> jobs;
+  std::set<std::string> names;
+  for (const std::filesystem::path& scene : all_scenes(options)) {
+    jobs.push_back(job_of(options, scene));
+    if (!names.insert(jobs.back().name).second)
+      throw InputError(scene.string(), "has the name of an earlier scene, and so have its pictures",
+                       "rename it, or draw it by itself");
+  }
+  return jobs;
+}
+
 std::vector<RenderJob> jobs_of(const RenderOptions& options) {
-  if (options.job_file.empty()) return {single_job(options)};
+  if (options.job_file.empty()) return jobs_of_scenes(options);
   std::vector<RenderJob> jobs = read_render_jobs(options.job_file);
   if (options.only.empty()) return jobs;
   std::erase_if(jobs, [&](const RenderJob& job) { return job.name != options.only; });
@@ -109,7 +143,7 @@ void check_names(const RenderJob& job) {
 
 /// Throws InputError for outputs that cannot be written or arguments that contradict each other, before the work.
 void check_arguments(const RenderOptions& options) {
-  if (options.job_file.empty() == options.job.scene.empty())
+  if (options.job_file.empty() == options.scenes.empty())
     throw InputError("render", "needs either a scene or --job-file FILE", "give one of them");
   if (options.output.empty() && options.pictures.contact_sheet.empty() && options.pictures.video.empty())
     throw InputError("render", "has no output", "add -o, --contact-sheet or --video");
@@ -118,14 +152,19 @@ void check_arguments(const RenderOptions& options) {
     check_replaceable(options.pictures.contact_sheet);
   }
   if (!options.pictures.video.empty()) check_video_path(options.pictures.video);
-  if (options.job_file.empty()) check_names(single_job(options));
+  if (options.job_file.empty()) check_names(job_of(options, options.scenes.front()));
   if (options.output.empty()) return;
-  if (!options.job_file.empty()) return check_folder(options.output);
+  if (!options.job_file.empty() || is_batch(options)) return check_folder(options.output);
   require_png(options.output);
-  RenderJob job = single_job(options);
+  RenderJob job = job_of(options, options.scenes.front());
   check_replaceable(
       options.output.parent_path() /
       (picture_name(job, job.cameras.front(), job.views.front(), job.frames.front(), is_numbered(options)) + ".png"));
+}
+
+/// Returns the name of an output of one of several scenes: "sheet.png" becomes "sheet_wall.png".
+std::filesystem::path of_scene(const std::filesystem::path& file, const std::string& scene) {
+  return file.parent_path() / (file.stem().string() + "_" + scene + file.extension().string());
 }
 
 void render_pictures(const RenderOptions& options, const RenderJob& job, const std::string& renderer) {
@@ -133,9 +172,13 @@ void render_pictures(const RenderOptions& options, const RenderJob& job, const s
   PictureOutput output = options.pictures;
   output.renderer = renderer;
   if (!options.output.empty()) {
-    output.folder = options.job_file.empty() ? options.output.parent_path() : options.output;
+    const bool is_folder = !options.job_file.empty() || is_batch(options);
+    output.folder = is_folder ? options.output : options.output.parent_path();
     if (output.folder.empty()) output.folder = ".";
   }
+  if (is_batch(options))
+    for (std::filesystem::path* file : {&output.contact_sheet, &output.video})
+      if (!file->empty()) *file = of_scene(*file, job.name);
   PictureWriter writer(output, job, scene.simulation.time_step);
   const std::string explanation =
       render_job(job, scene, is_numbered(options), [&](const RenderedPicture& picture) { writer.write(picture); });
@@ -143,16 +186,34 @@ void render_pictures(const RenderOptions& options, const RenderJob& job, const s
   print("%s", explanation.c_str());
 }
 
-void render(const RenderOptions& options) {
+/// Draws scene after scene, also those after one that cannot be drawn. Returns the exit code.
+ExitCode render_batch(const RenderOptions& options, const std::vector<RenderJob>& jobs, const std::string& renderer) {
+  std::size_t failed = 0;
+  for (const RenderJob& job : jobs) {
+    print_error("%s\n", job.scene.c_str());
+    try {
+      render_pictures(options, job, renderer);
+    } catch (const InputError& error) {
+      print_error("%s\n", printable(error.what()).c_str());
+      ++failed;
+    }
+  }
+  if (failed > 0) print_error("%zu of %zu scenes could not be drawn\n", failed, jobs.size());
+  return failed > 0 ? kBadInput : kDone;
+}
+
+ExitCode render(const RenderOptions& options) {
   check_arguments(options);
   const std::vector<RenderJob> jobs = jobs_of(options);
   const render::EglContext context(options.egl_device);
   print_error("Graphics: %s (%s)\n", context.renderer().c_str(), context.origin().c_str());
+  if (is_batch(options)) return render_batch(options, jobs, context.renderer());
   for (const RenderJob& job : jobs) render_pictures(options, job, context.renderer());
+  return kDone;
 }
 
 void add_what(CLI::App& command, RenderOptions& options) {
-  command.add_option("SCENE", options.job.scene, "Scene file")->type_name("FILE");
+  command.add_option("SCENE", options.scenes, "Scene files, or folders of them")->type_name("FILE");
   add_settings(command, options.set);
   command.add_option("--job-file", options.job_file, "Draw the pictures of the jobs in a JSON file")->type_name("FILE");
   command.add_option("--only", options.only, "Run only the named job")->type_name("NAME");
@@ -183,6 +244,11 @@ void add_what(CLI::App& command, RenderOptions& options) {
       ->allow_extra_args(false)
       ->type_name("NAME");
   command
+      .add_option("--turntable", options.job.turntable,
+                  "N pictures around the camera's target in place of one, at equal angles")
+      ->check(CLI::Range(2, kMaxTurntable))
+      ->type_name("N");
+  command
       .add_option(
           "--node", options.job.node,
           "Node to explain, in text and by the views candidate_plane and element_forces; default: the most loaded one")
@@ -198,7 +264,7 @@ void add_how(CLI::App& command, RenderOptions& options) {
             const std::string problem = read_size(text, options.job);
             if (!problem.empty()) throw CLI::ValidationError(problem);
           },
-          "Size of the picture; default: 1280x720")
+          "Size of the picture, drawn in parts if it is large; default: 1280x720")
       ->type_name("WxH");
   command
       .add_option("--samples", options.job.samples,
@@ -231,19 +297,23 @@ void add_how(CLI::App& command, RenderOptions& options) {
 
 void add_where(CLI::App& command, RenderOptions& options) {
   command
-      .add_option(
-          "-o,--output", options.output,
-          "PNG file to write; several pictures have camera, view and frame in their names. With --job-file: a folder")
+      .add_option("-o,--output", options.output,
+                  "PNG file to write; several pictures have camera, view, frame and angle in their names. With "
+                  "--job-file, several "
+                  "scenes or a folder: a folder")
       ->type_name("FILE");
   command
       .add_option("--contact-sheet", options.pictures.contact_sheet,
                   "Write all pictures into one PNG file, small, in rows")
       ->type_name("FILE");
   command
-      .add_option("--video", options.pictures.video,
-                  "Write the pictures as " + video_extensions() + " with ffmpeg; one video for each camera and view")
+      .add_option(
+          "--video", options.pictures.video,
+          "Write the pictures as " + video_extensions() + " with ffmpeg; one video for each scene, camera and view")
       ->type_name("FILE");
-  command.add_option("--fps", options.pictures.frames_per_second, "Frames per second of the video; default: real time")
+  command
+      .add_option("--fps", options.pictures.frames_per_second,
+                  "Frames per second of the video; default: real time, or 30 for a turntable")
       ->check(CLI::Range(0.1, 240.0))
       ->type_name("N");
   command.add_flag("--records", options.pictures.records,
@@ -261,9 +331,9 @@ Command add_render(CLI::App& program) {
   add_where(*command, *options);
   add_threads(*command);
   CLI::Option* job_file = command->get_option("--job-file");
-  for (const char* name :
-       {"SCENE", "--frame", "--every", "--frames", "--view", "--camera", "--node", "--size", "--samples", "--quality",
-        "--environment", "--ui", "--legend", "--transparent", "--contact-sheet", "--video", "--fps", "--set"})
+  for (const char* name : {"SCENE", "--frame", "--every", "--frames", "--turntable", "--view", "--camera", "--node",
+                           "--size", "--samples", "--quality", "--environment", "--ui", "--legend", "--transparent",
+                           "--contact-sheet", "--video", "--fps", "--set"})
     job_file->excludes(command->get_option(name));
   command->get_option("--only")->needs(job_file);
   command->footer(
@@ -274,6 +344,9 @@ Command add_render(CLI::App& program) {
       "  griffith render scenes/wall_small.json --frames 0,20,40 --view material --view utilization "
       "--contact-sheet sheet.png\n"
       "  griffith render scenes/wall_small.json --frame 30 --view utilization --size 1920x1080 -o utilization.png\n"
+      "  griffith render scenes/wall_small.json --frame 40 --turntable 90 --video around.mp4\n"
+      "  griffith render scenes/wall_small.json --frame 40 --size 16000x9000 -o large.png\n"
+      "  griffith render scenes --frame 60 -o pictures                          wall_small.png, arch.png, ...\n"
       "  griffith render --job-file pictures.json -o pictures");
   return {command, [options] {
             if (options->list_views) {
@@ -284,8 +357,9 @@ Command add_render(CLI::App& program) {
               throw InputError("--quality poster", "cannot be combined with --ui", "use --quality high");
             if (options->job.interface && options->job.transparent)
               throw InputError("--transparent", "cannot be combined with --ui", "leave one of them out");
-            render(*options);
-            return kDone;
+            if (options->job.interface && options->job.turntable > 0)
+              throw InputError("--turntable", "cannot be combined with --ui", "leave one of them out");
+            return render(*options);
           }};
 }
 

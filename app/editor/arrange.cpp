@@ -45,30 +45,25 @@ void append_bodies(ui::EditHistory& history, ui::EditorState& state, const std::
   select_bodies(state, history.scene(), copies);
 }
 
-void move_surface(PlacedSurface& surface, double up) {
-  for (Vec3& point : surface.points) point.y() += up;
-  surface.box.translate(Vec3(0, up, 0));
-}
-
 /// Returns the height of a body above what is below it [m]. What it would have to leave by more than half its height is
 /// not below it.
-double height_above_rest(const Scene& scene, const std::vector<PlacedSurface>& surfaces,
+double height_above_rest(const Scene& scene, const std::vector<ui::PlacedSurface>& surfaces,
                          const std::vector<std::size_t>& settled, std::size_t body) {
-  const PlacedSurface& own = surfaces[body];
+  const ui::PlacedSurface& own = surfaces[body];
   std::optional<double> height;
   const auto take = [&](double gap) {
     if (gap > -own.box.sizes().y() / 2 && (!height || gap < *height)) height = gap;
   };
   if (scene.ground) take(own.box.min().y() - scene.ground->height);
   for (const std::size_t other : settled)
-    if (const std::optional<double> gap = vertical_gap(own, surfaces[other])) take(*gap);
+    if (const std::optional<double> gap = ui::vertical_gap(own, surfaces[other])) take(*gap);
   if (height) return *height;
   throw InputError("bodies/" + scene.bodies[body].name, "has nothing below it to rest on",
                    "add a ground in the panel Scene, or move it above another body");
 }
 
-std::vector<PlacedSurface> all_surfaces(const Scene& scene) {
-  std::vector<PlacedSurface> surfaces;
+std::vector<ui::PlacedSurface> all_surfaces(const Scene& scene) {
+  std::vector<ui::PlacedSurface> surfaces;
   for (const BodyDescription& body : scene.bodies) surfaces.push_back(placed_surface(body, scene.folder));
   return surfaces;
 }
@@ -152,7 +147,7 @@ void drop_bodies(ui::EditHistory& history, ui::EditorState& state) {
   const Scene& scene = history.scene();
   const std::vector<std::size_t> selected = ui::selected_body_indices(state, scene);
   std::vector<std::size_t> dropped = selected, settled;
-  std::vector<PlacedSurface> surfaces = all_surfaces(scene);
+  std::vector<ui::PlacedSurface> surfaces = all_surfaces(scene);
   for (std::size_t i = 0; i < surfaces.size(); ++i)
     if (std::ranges::find(dropped, i) == dropped.end()) settled.push_back(i);
   std::ranges::stable_sort(dropped, {}, [&](std::size_t body) { return surfaces[body].box.min().y(); });
@@ -160,7 +155,7 @@ void drop_bodies(ui::EditHistory& history, ui::EditorState& state) {
   for (const std::size_t body : dropped) {
     const double height = height_above_rest(scene, surfaces, settled, body);
     bodies[body].position = ui::moved_place(bodies[body].position, Vec3(0, -height, 0));
-    move_surface(surfaces[body], -height);
+    ui::move_surface(surfaces[body], Vec3(0, -height, 0));
     settled.push_back(body);
   }
   set_bodies(history, state, "Drop", std::move(bodies));

@@ -7,10 +7,13 @@
 #include "app/editor/new_entry.h"
 #include "ui/model/entry_choice.h"
 #include "ui/model/entry_place.h"
+#include "ui/model/entry_scale.h"
 
 namespace griffith::app {
 using ui::CommandContext;
+using ui::GizmoTool;
 using ui::Menu;
+using ui::SnapTarget;
 namespace key = ui::key;
 
 namespace {
@@ -56,6 +59,21 @@ std::string_view nothing_with_a_name(const CommandContext& context) {
 
 std::string_view no_surface_named(const CommandContext& context) {
   return unless(context.state.surface.path[0] != '\0', "No surface file has been chosen.");
+}
+
+std::string_view nothing_to_scale(const CommandContext& context) {
+  if (context.state.gizmo == GizmoTool::scale) return {};
+  const Scene& scene = context.history.scene();
+  const std::optional<ui::SceneEntry> entry = ui::active_entry(context.state, scene);
+  return entry ? ui::scale_problem(scene, *entry) : "Nothing is selected in the outliner.";
+}
+
+/// Shows the handles, or hides them if they are shown.
+void switch_gizmo(Editor& e, GizmoTool tool) { e.state().gizmo = e.state().gizmo == tool ? GizmoTool::none : tool; }
+
+void switch_snap_target(ui::EditorState& state) {
+  const bool surfaces = state.snap_target == SnapTarget::surfaces;
+  state.snap_target = surfaces ? SnapTarget::round_values : SnapTarget::surfaces;
 }
 
 /// `body`: some decimeters large.
@@ -129,14 +147,37 @@ const EditorCommand kEditCommands[] = {
      [](Editor& e, const ui::Command&) { move_entries(e.document().history(), e.state(), 1); }},
     {{.name = "edit.gizmo",
       .label = "Move and rotate",
-      .hint = "Show or hide the handles that move and rotate the selected entries, at the start only; Ctrl snaps to "
-              "round values",
+      .hint = "Show or hide the handles that move and rotate the selected entries, at the start only; Ctrl snaps",
       .menu = Menu::edit,
       .group = 1,
       .shortcut = {'G'},
       .disabled_reason = nothing_selected,
-      .is_on = [](const CommandContext& context) { return context.state.show_gizmo; }},
-     [](Editor& e, const ui::Command&) { toggle(e.state().show_gizmo); }},
+      .is_on = [](const CommandContext& context) { return context.state.gizmo == GizmoTool::place; }},
+     [](Editor& e, const ui::Command&) { switch_gizmo(e, GizmoTool::place); }},
+    {{.name = "edit.scale",
+      .label = "Scale",
+      .hint = "Show or hide the handles that scale the selected entries, at the start only; elements keep their size",
+      .menu = Menu::edit,
+      .group = 1,
+      .shortcut = {'S'},
+      .disabled_reason = nothing_to_scale,
+      .is_on = [](const CommandContext& context) { return context.state.gizmo == GizmoTool::scale; }},
+     [](Editor& e, const ui::Command&) { switch_gizmo(e, GizmoTool::scale); }},
+    {{.name = "edit.snap",
+      .label = "Snap",
+      .hint = "Let the handles snap to round values or to surfaces; Ctrl inverts it during a drag",
+      .menu = Menu::edit,
+      .group = 1,
+      .shortcut = {key::kTab, false, true},
+      .is_on = [](const CommandContext& context) { return context.state.snap; }},
+     [](Editor& e, const ui::Command&) { toggle(e.state().snap); }},
+    {{.name = "edit.snap_to_surfaces",
+      .label = "Snap to surfaces",
+      .hint = "Snap moves to the ground and to other bodies, so that they touch, instead of to round values",
+      .menu = Menu::edit,
+      .group = 1,
+      .is_on = [](const CommandContext& context) { return context.state.snap_target == SnapTarget::surfaces; }},
+     [](Editor& e, const ui::Command&) { switch_snap_target(e.state()); }},
     {{.name = "edit.paint",
       .label = "Paint region",
       .hint = "Paint the nodes of the selected support, load or probe on its body, at the start only; Ctrl erases",

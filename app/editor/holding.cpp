@@ -142,11 +142,14 @@ std::optional<CriticalFactor> critical_speed_factor(const RunToCrack& run, const
 
 namespace {
 
-/// Throws InputError if pieces were grabbed: their points are those of the present mesh.
-void require_no_grab(const RunToCrack& run) {
-  const auto grabs = [](const WorldInput& input) { return std::holds_alternative<Grab>(input.action); };
-  if (std::ranges::any_of(run.inputs, grabs))
-    throw InputError("the grab", "holds a point of the present mesh", "repeat it by hand with a thicker body");
+/// Throws InputError if pieces were grabbed or pushed: their points are those of the present mesh.
+void require_no_points(const RunToCrack& run) {
+  for (const WorldInput& input : run.inputs) {
+    const bool is_push = std::holds_alternative<Push>(input.action);
+    if (is_push || std::holds_alternative<Grab>(input.action))
+      throw InputError(is_push ? "the push" : "the grab", "acts on a point of the present mesh",
+                       "repeat it by hand with a thicker body");
+  }
 }
 
 }  // namespace
@@ -154,7 +157,7 @@ void require_no_grab(const RunToCrack& run) {
 std::optional<CriticalFactor> critical_thickness_factor(const RunToCrack& run, const Monitor& monitor) {
   const BodyDescription& body = run.scene.bodies[run.scene_body];
   if (!thickness_of(body.shape)) return std::nullopt;
-  require_no_grab(run);
+  require_no_points(run);
   const std::size_t overlaps = overlaps_in(build(run.scene, monitor));
   return critical_factor(
       [&](double factor) {

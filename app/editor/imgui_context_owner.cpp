@@ -50,4 +50,12 @@ void ImGuiContextOwner::end_frame() {
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
+void ImGuiContextOwner::end_frame(ImVec2 corner, ImVec2 size) {
+  ImGui::Render();
+  ImDrawData* data = ImGui::GetDrawData();
+  data->DisplayPos = corner;
+  data->DisplaySize = size;
+  ImGui_ImplOpenGL3_RenderDrawData(data);
+}
+
 }  // namespace griffith::app

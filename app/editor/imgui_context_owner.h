@@ -1,5 +1,7 @@
 #pragma once
 
+#include <imgui.h>
+
 #include "ui/widgets/fonts.h"
 
 struct ImGuiContext;
@@ -27,6 +29,8 @@ class ImGuiContextOwner {
   void begin_frame();
   /// Ends the frame and draws it into the bound framebuffer.
   void end_frame();
+  /// Draws a part of it alone, into a target of its size [pixels].
+  void end_frame(ImVec2 corner, ImVec2 size);
 
  private:
   ImGuiContext* context_;

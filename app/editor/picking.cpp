@@ -39,17 +39,15 @@ std::optional<Entry> first_entry(const ShownMesh& shown, TetId tet, const Vec3& 
 
 }  // namespace
 
-Grab grabbed_point(const ShownMesh& shown, TetId tet, const render::Ray& ray) {
+Vec3 seen_weights(const ShownMesh& shown, TetId tet, const render::Ray& ray) {
   const Vec3 origin = ray.origin.cast<double>(), direction = ray.direction.cast<double>();
-  Grab grab;
-  grab.tet = tet.index();
   const std::optional<Entry> entry = first_entry(shown, tet, origin, direction);
-  if (!entry) return grab;
+  if (!entry) return Vec3::Constant(0.25);
   const Vec3 on_face = closest_on_triangle(origin + entry->distance * direction, face_corners(shown, tet, entry->face));
-  grab.weights.setZero();
+  Vec3 weights = Vec3::Zero();
   for (int i = 0; i < 3; ++i)
-    if (const int corner = kTetFaces[entry->face][i]; corner > 0) grab.weights[corner - 1] = on_face[i];
-  return grab;
+    if (const int corner = kTetFaces[entry->face][i]; corner > 0) weights[corner - 1] = on_face[i];
+  return weights;
 }
 
 NodeId nearest_corner(const ShownMesh& shown, TetId tet, const render::Ray& ray) {

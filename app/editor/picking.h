@@ -2,7 +2,6 @@
 
 #include "app/picture/shown_mesh.h"
 #include "renderer/camera.h"
-#include "sim/scene/grab.h"
 #include "ui/model/editor_state.h"
 
 namespace griffith::app {
@@ -11,8 +10,9 @@ namespace griffith::app {
 /// be drawn elsewhere), the corner nearest to the ray.
 NodeId nearest_corner(const ShownMesh& shown, TetId tet, const render::Ray& ray);
 
-/// Returns the point of a tet where a ray enters it, without a target; its centroid if the ray misses the tet.
-Grab grabbed_point(const ShownMesh& shown, TetId tet, const render::Ray& ray);
+/// Returns the point of a tet where a ray enters it, as weights of its corners 1 to 3; its centroid if the ray misses
+/// the tet.
+Vec3 seen_weights(const ShownMesh& shown, TetId tet, const render::Ray& ray);
 
 /// Selects material of the frame, and its body.
 void select(ui::EditorState& state, const Frame& frame, const ui::Selection& selection);

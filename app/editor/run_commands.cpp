@@ -124,7 +124,21 @@ const EditorCommand kRunCommands[] = {
       .shortcut = {'D'},
       .disabled_reason = without_motion,
       .is_on = [](const CommandContext& context) { return context.state.grab_tool; }},
-     [](Editor& e, const ui::Command&) { toggle(e.state().grab_tool); }},
+     [](Editor& e, const ui::Command&) {
+       toggle(e.state().grab_tool);
+       e.state().push_tool = false;
+     }},
+    {{.name = "simulation.push",
+      .label = "Push",
+      .hint = "Push pieces by a click in the view, with an impulse along the line of sight",
+      .menu = Menu::simulation,
+      .shortcut = {'I'},
+      .disabled_reason = without_motion,
+      .is_on = [](const CommandContext& context) { return context.state.push_tool; }},
+     [](Editor& e, const ui::Command&) {
+       toggle(e.state().push_tool);
+       e.state().grab_tool = false;
+     }},
     {{.name = "simulation.keep_shot",
       .label = "Add last shot to scene",
       .hint = "Add the last shot to the scene and restart",
@@ -211,6 +225,14 @@ const EditorCommand kRunCommands[] = {
       .argument = CommandArgument::cursor},
      [](Editor& e, const ui::Command& c) {
        if (const std::optional<Grab> grab = e.viewport().grabbed_at(e.run().shown(), c.cursor)) e.run().grab(*grab);
+     }},
+    {{.name = "simulation.push_at",
+      .label = "Push at a point",
+      .hint = "Push the piece at a point of the view along the line of sight; a click with the tool Push",
+      .disabled_reason = without_motion,
+      .argument = CommandArgument::cursor},
+     [](Editor& e, const ui::Command& c) {
+       if (const std::optional<Push> push = e.viewport().pushed_at(e.run().shown(), c.cursor)) e.run().push(*push);
      }},
     {{.name = "simulation.drag_to",
       .label = "Drag to a point",

@@ -7,6 +7,7 @@
 #include "app/editor/messages.h"
 #include "app/editor/picking.h"
 #include "app/shared/scene_world.h"
+#include "ui/model/units.h"
 
 namespace griffith::app {
 namespace {
@@ -41,6 +42,7 @@ void RunController::begin(BuiltWorld built) {
   run_history_.restart(frame());
   pace_ = {};
   leave_state();
+  state_.push_mark.reset();
   remember();
   viewport_.begin(std::move(built.display));
   viewport_.update(shown());
@@ -199,6 +201,23 @@ void RunController::release() {
   if (frame().grab) timeline_.release();
   leave_state();
   let_go();
+}
+
+void RunController::push(const Push& push) {
+  const Frame pushed = frame();
+  const TetId tet(push.tet);
+  const std::array<NodeId, 4>& corners = pushed.elements.tets[tet];
+  Vec3 point = (1 - push.weights.sum()) * pushed.nodes.positions[corners[0]];
+  for (int i = 0; i < 3; ++i) point += push.weights[i] * pushed.nodes.positions[corners[i + 1]];
+  const int body = pushed.bodies[pushed.elements.bodies[tet]].scene_body;
+  timeline_.push(push);
+  leave_state();
+  state_.push_mark = ui::PushMark{timeline_.step(), point, push.impulse};
+  log_message(state_, ui::LogLevel::info,
+              "Pushed " + built_.bodies[static_cast<std::size_t>(body)].name + " with " +
+                  ui::format_quantity(push.impulse.norm(), "N·s") +
+                  (state_.running ? "." : ". Press Space to run the simulation."),
+              ui::LogSpan::action);
 }
 
 void RunController::let_go() {

@@ -58,6 +58,8 @@ class RunController {
   /// Moves the target of the grab before the next step [m].
   void drag(const Vec3& target);
   void release();
+  /// Pushes a piece in the next step.
+  void push(const Push& push);
   /// Returns the target of the grab, which must exist [m].
   Vec3 target() const { return dragged_to_ ? *dragged_to_ : frame().grab->target; }
   /// Applies the scene's materials. A material that the world does not accept is undone, with an error.

@@ -1,6 +1,7 @@
 #include "app/editor/thickness.h"
 
 #include "sim/scene/body_pose.h"
+#include "ui/model/scaled_shape.h"
 
 namespace griffith::app {
 namespace {
@@ -20,46 +21,6 @@ std::optional<Thickness> extent(const PlateWithHoleShape& plate) { return Thickn
 std::optional<Thickness> extent(const NotchedBeamShape& beam) { return Thickness{Vec3::UnitZ(), beam.size.z()}; }
 std::optional<Thickness> extent(const MeshFileShape&) { return std::nullopt; }
 std::optional<Thickness> extent(const SurfaceShape&) { return std::nullopt; }
-
-// Cells scale with the shape, so that their number stays the same. `scale`: along the axes of the shape.
-void stretch(BoxShape& box, const Vec3& scale) {
-  box.size = box.size.cwiseProduct(scale);
-  box.element_size = box.element_size.cwiseProduct(scale);
-}
-void stretch(CylinderShape& cylinder, const Vec3& scale) {
-  cylinder.radius *= scale.x();
-  cylinder.length *= scale.z();
-  cylinder.element_size = cylinder.element_size.cwiseProduct(Vec2(scale.x(), scale.z()));
-}
-void stretch(DiscShape& disc, const Vec3& scale) {
-  disc.thickness *= scale.z();
-  disc.element_size.y() *= scale.z();
-}
-void stretch(SphereShape& sphere, const Vec3& scale) {
-  sphere.radius *= scale.x();
-  sphere.element_size *= scale.x();
-}
-void stretch(PlateWithHoleShape& plate, const Vec3& scale) {
-  plate.size.z() *= scale.z();
-  plate.element_size.y() *= scale.z();
-}
-void stretch(NotchedBeamShape& beam, const Vec3& scale) {
-  beam.size.z() *= scale.z();
-  beam.element_size.z() *= scale.z();
-}
-void stretch(MeshFileShape&, const Vec3&) {}
-void stretch(SurfaceShape&, const Vec3&) {}
-
-void stretch(BoxRegion& box, const Vec3& scale) {
-  box.minimum = box.minimum.cwiseProduct(scale);
-  box.maximum = box.maximum.cwiseProduct(scale);
-}
-void stretch(SphereRegion& sphere, const Vec3& scale) { sphere.center = sphere.center.cwiseProduct(scale); }
-void stretch(HalfSpaceRegion& half, const Vec3& scale) {
-  half.point = half.point.cwiseProduct(scale);
-  half.normal = half.normal.cwiseQuotient(scale);
-}
-void stretch(NodeListRegion&, const Vec3&) {}
 
 /// Effect of a factor of thickness on a body.
 struct Stretch {
@@ -86,10 +47,10 @@ std::optional<Thickness> thickness_of(const Shape& shape) {
 
 BodyDescription thickened(BodyDescription body, double factor, const Vec3& gravity) {
   const Stretch by = stretch_by(body, factor, gravity);
-  const auto stretched = [&](auto& stretchable) { stretch(stretchable, by.scale); };
-  std::visit(stretched, body.shape);
-  for (Support& support : body.supports) std::visit(stretched, support.region);
-  for (Load& load : body.loads) std::visit(stretched, load.region);
+  ui::scale_lengths(body.shape, by.scale);
+  ui::scale_elements(body.shape, by.scale);
+  for (Support& support : body.supports) ui::scale_region(support.region, by.scale);
+  for (Load& load : body.loads) ui::scale_region(load.region, by.scale);
   body.position += by.shift;
   return body;
 }

@@ -39,6 +39,13 @@ void add_scaling_label(ui::EditorInput& input, const Scene& scene, float height)
   if (const auto label = scaling_label(scene, input.frame, 1 - rise)) input.labels.push_back(*label);
 }
 
+/// Returns a point of a tet, with the weights of its corners 1 to 3, in given positions of nodes [m].
+Vec3 point_in(const std::array<NodeId, 4>& corners, const Vec3& weights, std::span<const Vec3> positions) {
+  Vec3 point = (1 - weights.sum()) * positions[corners[0]];
+  for (int i = 0; i < 3; ++i) point += weights[i] * positions[corners[i + 1]];
+  return point;
+}
+
 }  // namespace
 
 HiddenBodies hidden_bodies(const ui::EditorState& state, const Scene& scene) {
@@ -187,17 +194,22 @@ std::optional<Grab> Viewport::grabbed_at(const ShownWorld& world, const Vec2& cu
   const TetId tet = tet_at(world.frame, cursor);
   if (!tet.valid()) return std::nullopt;
   const ShownMesh shown = shown_mesh(world.frame, state_.view, {}, hidden_bodies(state_, world.scene));
-  Grab grab = grabbed_point(shown, tet, ray_at(cursor, drawn_.width, drawn_.height));
-  grab.spring = state_.grab_spring;
   const std::array<NodeId, 4>& corners = world.frame.elements.tets[tet];
-  const auto point_in = [&](std::span<const Vec3> positions) {
-    Vec3 point = (1 - grab.weights.sum()) * positions[corners[0]];
-    for (int i = 0; i < 3; ++i) point += grab.weights[i] * positions[corners[i + 1]];
-    return point;
-  };
-  grab.target = point_in(world.frame.nodes.positions);
-  grab_offset_ = point_in(shown.positions) - grab.target;
+  Grab grab{.tet = tet.index(),
+            .weights = seen_weights(shown, tet, ray_at(cursor, drawn_.width, drawn_.height)),
+            .spring = state_.grab_spring};
+  grab.target = point_in(corners, grab.weights, world.frame.nodes.positions);
+  grab_offset_ = point_in(corners, grab.weights, shown.positions) - grab.target;
   return grab;
+}
+
+std::optional<Push> Viewport::pushed_at(const ShownWorld& world, const Vec2& cursor) const {
+  const TetId tet = tet_at(world.frame, cursor);
+  if (!tet.valid()) return std::nullopt;
+  const ShownMesh shown = shown_mesh(world.frame, state_.view, {}, hidden_bodies(state_, world.scene));
+  const render::Ray ray = ray_at(cursor, drawn_.width, drawn_.height);
+  return Push{tet.index(), seen_weights(shown, tet, ray),
+              state_.push_impulse * ray.direction.cast<double>().normalized()};
 }
 
 Vec3 Viewport::dragged_to(const Vec3& target, const Vec2& cursor) const {
@@ -235,6 +247,8 @@ void Viewport::describe(ui::EditorInput& input, const Scene& scene) {
   input.camera = view_camera(picture_camera());
   input.toward_eye = (camera_.position - camera_.target).cast<double>();
   input.aim = aim(input.frame, scene);
+  if (const TetId tet = state_.pointed_at ? tet_at(input.frame, *state_.pointed_at) : TetId(); tet.valid())
+    input.pointed = input.frame.elements.bodies[tet];
 }
 
 void Viewport::place_legend(ui::Legend& legend, const ui::Fonts& fonts) {

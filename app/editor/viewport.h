@@ -78,6 +78,8 @@ class Viewport {
   void pick(const ShownWorld& world, const Vec2& cursor);
   /// Returns a grab of the material at a point of the view; empty if there is none.
   std::optional<Grab> grabbed_at(const ShownWorld& world, const Vec2& cursor);
+  /// Returns a push of the material at a point of the view along the line of sight; empty if there is none.
+  std::optional<Push> pushed_at(const ShownWorld& world, const Vec2& cursor) const;
   /// Returns the target of a grab at `target` after the mouse has come to a point of the view: on a plane parallel to
   /// the picture.
   Vec3 dragged_to(const Vec3& target, const Vec2& cursor) const;

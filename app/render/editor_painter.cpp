@@ -37,7 +37,7 @@ class EditorPainter : public Painter {
   void step() override { editor_.run().step(); }
   const World& world() const override { return editor_.run().world(); }
 
-  RenderedPicture paint(const std::string& camera, const std::string& view) override {
+  RenderedPicture paint(const std::string& camera, const std::string& view, double) override {
     if (job_.cameras.size() > 1) editor_.viewport().use_camera(editor_.document().scene(), camera);
     if (!painted_ || views_.size() > 1) editor_.state().view = views_.at({camera, view});
     painted_ = true;

@@ -14,8 +14,9 @@ class Painter {
 
   virtual void step() = 0;
   virtual const World& world() const = 0;
-  /// Draws a picture with a camera and view of the job. Its name is left empty.
-  virtual RenderedPicture paint(const std::string& camera, const std::string& view) = 0;
+  /// Draws a picture with a camera and view of the job. Its name is left empty. `turn`: rotation of the camera about
+  /// its target [rad]; 0 with panels.
+  virtual RenderedPicture paint(const std::string& camera, const std::string& view, double turn) = 0;
 };
 
 /// Returns a painter of pictures with legends. Throws InputError for a missing camera, view or node.

@@ -8,6 +8,7 @@
 
 #include "app/editor/imgui_context_owner.h"
 #include "app/picture/draw_scene_from_frame.h"
+#include "app/picture/large_picture.h"
 #include "app/picture/named_view.h"
 #include "app/picture/picture_options.h"
 #include "app/picture/scene_camera.h"
@@ -82,8 +83,7 @@ struct PictureMaker::Impl {
         scene(of_scene),
         display(embedded_display(start.frame(), scene)),
         scale(writing_scale(job.width, job.height)),
-        imgui(std::min(scale, kLargestFont)),
-        target(job.width, job.height) {
+        imgui(std::min(scale, kLargestFont)) {
     for (const std::string& camera : job.cameras)
       for (const std::string& view : job.views)
         viewpoints.emplace(std::pair(camera, view), viewpoint(start.frame(), camera, view));
@@ -104,11 +104,15 @@ struct PictureMaker::Impl {
     return result;
   }
 
-  /// Draws the mean of many exposures. `matte`: instead of ground and background.
-  render::Image poster(const Frame& frame, const Viewpoint& viewpoint, const std::optional<render::Background>& matte) {
+  render::RenderOptions options_of(const Viewpoint& viewpoint) const {
+    return picture_options(job.width, job.height, job.samples, viewpoint.view);
+  }
+
+  /// Draws the mean of many exposures of a part. `matte`: instead of ground and background.
+  PaintedPicture exposed_part(const Frame& frame, const Viewpoint& viewpoint,
+                              const std::optional<render::Background>& matte, const render::RenderOptions& part) {
     constexpr int kExposures = 48, kTimes = 12;
     const double open = 0.5 * scene.simulation.time_step;  // a shutter of half a turn
-    const render::RenderOptions options = picture_options(job.width, job.height, job.samples, viewpoint.view);
     ImageSum sum;
     render::DrawScene drawn;
     double time = 1;  // of `drawn`: none yet
@@ -116,10 +120,17 @@ struct PictureMaker::Impl {
       if (exposure.time != time) drawn = draw_scene(LaterFrame(frame, open * exposure.time).frame(), viewpoint);
       if (matte) put_before(*matte, drawn);
       time = exposure.time;
-      renderer.render(drawn, exposed(viewpoint.camera, exposure, job.height), options);
+      renderer.render(drawn, exposed(viewpoint.camera, exposure, job.height), part);
       sum.add(renderer.image());
     }
-    return sum.mean();
+    return {sum.mean(), renderer.ids()};
+  }
+
+  PaintedPicture poster(const Frame& frame, const Viewpoint& viewpoint,
+                        const std::optional<render::Background>& matte) {
+    return paint_in_parts(options_of(viewpoint), job.largest_part, [&](const render::RenderOptions& part) {
+      return exposed_part(frame, viewpoint, matte, part);
+    });
   }
 
   render::DrawScene draw_scene(const Frame& frame, const Viewpoint& viewpoint) const {
@@ -141,34 +152,46 @@ struct PictureMaker::Impl {
     return writing;
   }
 
-  render::Image image(const render::DrawScene& drawn, const Viewpoint& viewpoint, const Writing& writing) {
-    renderer.render(drawn, viewpoint.camera, picture_options(job.width, job.height, job.samples, viewpoint.view));
-    return writing.legend || !writing.labels.empty() ? written_over(writing) : renderer.image();
+  PaintedPicture image(const render::DrawScene& drawn, const Viewpoint& viewpoint, const Writing& writing) {
+    const bool has_text = writing.legend || !writing.labels.empty();
+    return paint_in_parts(options_of(viewpoint), job.largest_part, [&](const render::RenderOptions& part) {
+      renderer.render(drawn, viewpoint.camera, part);
+      return PaintedPicture{has_text ? written_over(writing, part) : renderer.image(), renderer.ids()};
+    });
   }
 
-  render::Image without_background(render::DrawScene drawn, const Viewpoint& viewpoint, const Writing& writing) {
+  PaintedPicture without_background(render::DrawScene drawn, const Viewpoint& viewpoint, const Writing& writing) {
     put_before(kBlack, drawn);
-    const render::Image on_black = image(drawn, viewpoint, writing);
+    PaintedPicture picture = image(drawn, viewpoint, writing);
     put_before(kWhite, drawn);
-    return matted(on_black, image(drawn, viewpoint, writing));
+    picture.image = matted(picture.image, image(drawn, viewpoint, writing).image);
+    return picture;
   }
 
-  render::Image poster(const Frame& frame, const Viewpoint& viewpoint) {
+  PaintedPicture poster(const Frame& frame, const Viewpoint& viewpoint) {
     if (!job.transparent) return poster(frame, viewpoint, std::nullopt);
-    return matted(poster(frame, viewpoint, kBlack), poster(frame, viewpoint, kWhite));
+    PaintedPicture picture = poster(frame, viewpoint, kBlack);
+    picture.image = matted(picture.image, poster(frame, viewpoint, kWhite).image);
+    return picture;
   }
 
-  /// Returns the last picture with text over it.
-  render::Image written_over(const Writing& writing) {
+  /// Returns the last picture, a part of the whole one, with text over it.
+  render::Image written_over(const Writing& writing, const render::RenderOptions& part) {
+    const render::PicturePart place = part.part.value_or(render::PicturePart{});
+    const ImVec2 corner(static_cast<float>(place.left), static_cast<float>(place.top));
+    const ImVec2 extent(static_cast<float>(part.width), static_cast<float>(part.height));
     imgui.begin_frame(job.width, job.height);
     ImDrawList* list = ImGui::GetBackgroundDrawList();
     const auto texture = static_cast<std::uintptr_t>(renderer.color_texture());
-    list->AddImage(reinterpret_cast<ImTextureID>(texture), {0, 0}, size(), {0, 1}, {1, 0});
+    list->AddImage(reinterpret_cast<ImTextureID>(texture), corner, {corner.x + extent.x, corner.y + extent.y}, {0, 1},
+                   {1, 0});
     ui::draw_labels(list, writing.labels, imgui.fonts(), {0, 0}, size(), scale);
     if (writing.legend) ui::draw_legend(list, *writing.legend, imgui.fonts(), {{0, 0}, size()}, scale);
-    target.bind();
-    imgui.end_frame();
-    return target.image();
+    if (!target || target->width() != part.width || target->height() != part.height)
+      target.emplace(part.width, part.height);
+    target->bind();
+    imgui.end_frame(corner, extent);
+    return target->image();
   }
 
   RenderJob job;
@@ -177,7 +200,7 @@ struct PictureMaker::Impl {
   float scale;  ///< scale of text
   render::Renderer renderer;
   ImGuiContextOwner imgui;
-  render::Target target;
+  std::optional<render::Target> target;                                 ///< as large as the last part with text
   std::map<std::pair<std::string, std::string>, Viewpoint> viewpoints;  ///< by camera and view
 };
 
@@ -190,21 +213,24 @@ void PictureMaker::follow(const World& world) {
   for (auto& [names, viewpoint] : impl_->viewpoints) viewpoint.range.follow(world.frame(), viewpoint.view.quantity);
 }
 
-RenderedPicture PictureMaker::paint(const World& world, const std::string& camera, const std::string& view) {
-  const Impl::Viewpoint& viewpoint = impl_->viewpoints.at({camera, view});
+RenderedPicture PictureMaker::paint(const World& world, const std::string& camera, const std::string& view,
+                                    double turn) {
+  Impl::Viewpoint viewpoint = impl_->viewpoints.at({camera, view});
+  if (turn != 0) viewpoint.camera = render::orbit(viewpoint.camera, static_cast<float>(turn), 0);
   RenderedPicture picture;
   picture.record = world_record(world);
+  PaintedPicture painted;
   if (impl_->job.poster) {
-    picture.image = impl_->poster(world.frame(), viewpoint);
-    picture.ids = impl_->renderer.ids();
-    return picture;
+    painted = impl_->poster(world.frame(), viewpoint);
+  } else {
+    const render::DrawScene drawn = impl_->draw_scene(world.frame(), viewpoint);
+    const Impl::Writing writing = impl_->writing_of(world.frame(), drawn, viewpoint);
+    picture.record.text = writing_text(writing.legend, writing.labels);
+    painted = impl_->job.transparent ? impl_->without_background(drawn, viewpoint, writing)
+                                     : impl_->image(drawn, viewpoint, writing);
   }
-  const render::DrawScene drawn = impl_->draw_scene(world.frame(), viewpoint);
-  const Impl::Writing writing = impl_->writing_of(world.frame(), drawn, viewpoint);
-  picture.record.text = writing_text(writing.legend, writing.labels);
-  picture.image = impl_->job.transparent ? impl_->without_background(drawn, viewpoint, writing)
-                                         : impl_->image(drawn, viewpoint, writing);
-  picture.ids = impl_->renderer.ids();
+  picture.image = std::move(painted.image);
+  picture.ids = std::move(painted.ids);
   return picture;
 }
 

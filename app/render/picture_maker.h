@@ -19,8 +19,9 @@ class PictureMaker {
 
   /// Follows a step; call it after each, so that color ranges change smoothly and shards lie around the first crack.
   void follow(const World& world);
-  /// Returns a picture with a camera and view of the job. Its name is left empty.
-  RenderedPicture paint(const World& world, const std::string& camera, const std::string& view);
+  /// Returns a picture with a camera and view of the job. Its name is left empty. `turn`: rotation of the camera about
+  /// its target [rad].
+  RenderedPicture paint(const World& world, const std::string& camera, const std::string& view, double turn = 0);
 
  private:
   struct Impl;

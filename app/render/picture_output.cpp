@@ -72,7 +72,8 @@ void PictureWriter::add_to_video(const RenderedPicture& picture) {
 }
 
 double frames_per_second(const RenderJob& job, double time_step) {
-  constexpr double kMin = 1, kMax = 120;
+  constexpr double kMin = 1, kMax = 120, kOfTurntable = 30;
+  if (job.turntable > 0) return kOfTurntable;
   if (job.frames.size() < 2) return kMin;
   const double mean_interval =
       time_step * (job.frames.back() - job.frames.front()) / static_cast<double>(job.frames.size() - 1);

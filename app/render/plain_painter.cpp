@@ -17,8 +17,8 @@ class PlainPainter : public Painter {
 
   const World& world() const override { return world_; }
 
-  RenderedPicture paint(const std::string& camera, const std::string& view) override {
-    return pictures_.paint(world_, camera, view);
+  RenderedPicture paint(const std::string& camera, const std::string& view, double turn) override {
+    return pictures_.paint(world_, camera, view, turn);
   }
 
  private:

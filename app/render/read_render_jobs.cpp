@@ -16,9 +16,9 @@ namespace griffith::app {
 namespace {
 
 constexpr std::int64_t kMaxFileSize = 16 << 20;
-constexpr std::array<std::string_view, 15> kFields = {
-    "environment", "quality", "name", "scene",         "frames",   "views",  "cameras",    "size",
-    "samples",     "node",    "ui",   "open_sections", "commands", "legend", "transparent"};
+constexpr std::array<std::string_view, 16> kFields = {
+    "environment", "quality", "name", "scene",         "frames",   "views",  "cameras",     "size",
+    "samples",     "node",    "ui",   "open_sections", "commands", "legend", "transparent", "turntable"};
 
 void read_names(const Place& place, std::vector<std::string>& names) {
   if (!place.json.is_array() || place.json.empty()) return place.reject("a list of names, [\"...\"]");
@@ -58,10 +58,11 @@ void read_frames(const Place& place, std::vector<int>& frames) {
 }
 
 void read_size(const Place& place, RenderJob& job) {
-  constexpr double kMin = 16, kMax = 16384;
+  constexpr double kMin = kMinPictureSide, kMax = kMaxPictureSide;
   if (!place.json.is_array() || place.json.size() != 2) return place.reject("[width, height] in pixels");
   read(place.child("0", place.json[0]), job.width, between(kMin, kMax));
   read(place.child("1", place.json[1]), job.height, between(kMin, kMax));
+  if (!is_possible_size(job.width, job.height)) place.report("has more than 400 million pixels", "use fewer");
 }
 
 void read_quality(const Place& place, RenderJob& job) {
@@ -92,6 +93,7 @@ void read_field(const Place& place, std::string_view name, RenderJob& job) {
   if (name == "open_sections") return read(place, job.open_sections, Flag{});
   if (name == "commands") return read_commands(place, job.commands);
   if (name == "legend") return read(place, job.legend, Flag{});
+  if (name == "turntable") return read(place, job.turntable, between(2, kMaxTurntable));
   if (name == "transparent") return read(place, job.transparent, Flag{});
   std::string scene;
   read(place, scene, Text{.minimum_length = 1});
@@ -131,6 +133,8 @@ void check_job(const Place& place, const RenderJob& job, std::set<std::string>& 
     place.report("has the quality \"poster\" with \"ui\"", "panels are drawn sharp; remove one of them");
   if (job.interface && job.transparent)
     place.report("has \"transparent\" with \"ui\"", "panels have no background; remove one of them");
+  if (job.interface && job.turntable > 0)
+    place.report("has \"turntable\" with \"ui\"", "panels show the first picture alone; remove one of them");
   if (!job.interface && (job.open_sections || !job.commands.empty()))
     place.report("has \"open_sections\" or \"commands\" without \"ui\"", "add \"ui\": true");
 }
@@ -138,7 +142,7 @@ void check_job(const Place& place, const RenderJob& job, std::set<std::string>& 
 /// Throws InputError if a picture would replace another one.
 void check_pictures(const Place& place, const RenderJob& job, std::set<std::string>& pictures) {
   constexpr std::size_t kMaxPictures = 100'000;
-  if (job.frames.size() * job.cameras.size() * job.views.size() + pictures.size() > kMaxPictures)
+  if (picture_count(job) + pictures.size() > kMaxPictures)
     return place.report("makes more than 100,000 pictures", "use fewer frames, cameras or views");
   for (const std::string& name : picture_names(job))
     if (!pictures.insert(name).second)
@@ -200,6 +204,7 @@ std::string render_jobs_json(const std::vector<RenderJob>& jobs, const std::file
     if (job.open_sections) json["open_sections"] = true;
     if (!job.commands.empty()) json["commands"] = job.commands;
     if (!job.legend) json["legend"] = false;
+    if (job.turntable > 0) json["turntable"] = job.turntable;
     if (job.transparent) json["transparent"] = true;
     pictures.push_back(std::move(json));
   }

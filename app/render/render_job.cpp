@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <numbers>
 
 #include "app/render/painter.h"
 #include "app/shared/explanation.h"
@@ -21,6 +22,12 @@ std::string name_part(std::string text) {
       text, [](char c) { return c == '/' || c == ' ' || static_cast<unsigned char>(c) < ' '; }, '-');
   return "_" + text;
 }
+
+/// Returns the number of pictures of a camera with a view at a time.
+int turns_of(const RenderJob& job) { return std::max(job.turntable, 1); }
+
+/// Returns the angle of a picture of a turntable [rad].
+double angle_of(const RenderJob& job, int turn) { return 2 * std::numbers::pi * turn / turns_of(job); }
 
 void step_to(Painter& painter, int frame, Progress& progress) {
   for (std::int64_t step = painter.world().frame().step; step < frame; ++step) {
@@ -46,21 +53,34 @@ void set_quality(RenderJob& job, std::string_view name) {
 }
 
 std::string picture_name(const RenderJob& job, const std::string& camera, const std::string& view, int frame,
-                         bool always_numbered) {
+                         bool always_numbered, int turn) {
   std::string name = job.name.empty() ? job.scene.stem().string() : job.name;
   if (job.cameras.size() > 1) name += name_part(camera);
   if (job.views.size() > 1) name += name_part(view.empty() ? "scene" : view);
-  if (job.frames.size() == 1 && !always_numbered) return name;
   char number[16];
   std::snprintf(number, sizeof number, "_%04d", frame);
-  return name + number;
+  if (job.frames.size() > 1 || always_numbered) name += number;
+  std::snprintf(number, sizeof number, "_%03d", turn);
+  return job.turntable > 0 ? name + number : name;
+}
+
+std::size_t picture_count(const RenderJob& job) {
+  return job.frames.size() * job.cameras.size() * job.views.size() * static_cast<std::size_t>(turns_of(job));
+}
+
+bool is_possible_size(int width, int height) {
+  constexpr std::int64_t kMaxPixels = 400'000'000;  // of what PNG encoders index with 31 bits
+  const auto possible = [](int side) { return side >= kMinPictureSide && side <= kMaxPictureSide; };
+  return possible(width) && possible(height) && std::int64_t{width} * height <= kMaxPixels;
 }
 
 std::vector<std::string> picture_names(const RenderJob& job) {
   std::vector<std::string> names;
   for (const int frame : job.frames)
     for (const std::string& camera : job.cameras)
-      for (const std::string& view : job.views) names.push_back(picture_name(job, camera, view, frame, false));
+      for (const std::string& view : job.views)
+        for (int turn = 0; turn < turns_of(job); ++turn)
+          names.push_back(picture_name(job, camera, view, frame, false, turn));
   return names;
 }
 
@@ -75,16 +95,16 @@ std::string render_job(const RenderJob& job, const Scene& authored, bool always_
     Progress progress("Rendering", std::max(job.frames.back(), 1));
     for (const int frame : job.frames) {
       step_to(*painter, frame, progress);
-      for (const std::string& camera : job.cameras) {
-        for (const std::string& view : job.views) {
-          RenderedPicture picture = painter->paint(camera, view);
-          picture.name = picture_name(job, camera, view, frame, always_numbered);
-          picture.record.scene = scene_text;
-          picture.record.view = view;
-          picture.record.camera = camera;
-          take(std::move(picture));
-        }
-      }
+      for (const std::string& camera : job.cameras)
+        for (const std::string& view : job.views)
+          for (int turn = 0; turn < turns_of(job); ++turn) {
+            RenderedPicture picture = painter->paint(camera, view, angle_of(job, turn));
+            picture.name = picture_name(job, camera, view, frame, always_numbered, turn);
+            picture.record.scene = scene_text;
+            picture.record.view = view;
+            picture.record.camera = camera;
+            take(std::move(picture));
+          }
     }
   }
   if (!job.node) return "";

@@ -9,19 +9,22 @@
 #include <utility>
 #include <vector>
 
+#include "app/picture/large_picture.h"
 #include "renderer/image.h"
 #include "sim/scene/scene.h"
 
 namespace griffith::app {
 
-/// Pictures of one run of a scene: time steps times cameras times views.
+/// Pictures of one run of a scene: time steps times cameras times views times angles of a turntable.
 struct RenderJob {
   std::string name;  ///< prefix of the names of pictures; empty: the scene file's
   std::filesystem::path scene;
   std::vector<int> frames = {0};  ///< time steps before the pictures, ascending
   // Empty: from the scene.
   std::vector<std::string> views = {""}, cameras = {""};
+  int turntable = 0;                      ///< pictures around the camera's target in place of one; 0: none
   int width = 1280, height = 720;         ///< [pixels]
+  int largest_part = kLargestPart;        ///< largest side of what is drawn at once [pixels]
   std::optional<int> samples;             ///< per pixel; absent: by quality
   std::optional<PictureQuality> quality;  ///< absent: from the scene's view
   bool poster = false;                    ///< with depth of field and motion blur, without legend and labels
@@ -59,16 +62,24 @@ struct RenderedPicture {
 };
 
 /// Returns the name of a picture of a job. Camera, view and frame are parts of it if the job has several, or with
-/// `always_numbered`.
+/// `always_numbered`, and `turn` if it has a turntable.
 std::string picture_name(const RenderJob& job, const std::string& camera, const std::string& view, int frame,
-                         bool always_numbered);
+                         bool always_numbered, int turn = 0);
+
+/// Returns the number of pictures of a job.
+std::size_t picture_count(const RenderJob& job);
+
+/// Sides of pictures [pixels], and most pictures of a turntable.
+inline constexpr int kMinPictureSide = 16, kMaxPictureSide = 65536, kMaxTurntable = 3600;
+/// True if a picture of this size can be drawn: up to 400 million pixels.
+bool is_possible_size(int width, int height);
 
 /// Returns the names of all pictures of a job in drawing order; a single time step is no part of them.
 std::vector<std::string> picture_names(const RenderJob& job);
 
-/// Makes the run and passes each picture to the callback: for each frame and camera every view. Needs a current OpenGL
-/// context. `always_numbered`: as above. Throws InputError if the scene lacks a camera, view or node. Returns the
-/// explanation of job.node in the last frame; empty without one.
+/// Makes the run and passes each picture to the callback: for each frame and camera every view, from every angle. Needs
+/// a current OpenGL context. `always_numbered`: as above. Throws InputError if the scene lacks a camera, view or node.
+/// Returns the explanation of job.node in the last frame; empty without one.
 std::string render_job(const RenderJob& job, const Scene& scene, bool always_numbered,
                        const std::function<void(RenderedPicture)>& take);
 

@@ -35,7 +35,7 @@ render::Image thumbnail(const Scene& scene, const std::filesystem::path& file) {
   job.legend = false;
   const std::unique_ptr<Painter> painter = make_plain_painter(job, as_seen(scene));
   step_until_visible(*painter, scene.analysis);
-  return painter->paint("", "").image;
+  return painter->paint("", "", 0).image;
 }
 
 }  // namespace griffith::app

@@ -6,6 +6,7 @@
 
 #include "bindings/c/guarded.h"
 #include "bindings/c/handles.h"
+#include "bindings/c/material_at.h"
 #include "sim/scene/edit_scene.h"
 #include "sim/scene/scene_fields.h"
 #include "sim/scene/scene_reader.h"
@@ -77,6 +78,32 @@ void record(griffith_world& world, WorldInput input) {
 
 void fire(griffith_world& world, const ProjectileBurst& burst) {
   record(world, {world.world.frame().step, world.world.fire(burst)});
+}
+
+/// Returns a vector argument, of components within the range.
+Vec3 vector_of(const double* values, const char* name, const Numbers& range, const char* remedy) {
+  require(values != nullptr, name, "is null", "pass three numbers");
+  const Vec3 vector(values[0], values[1], values[2]);
+  require(is_within(range, vector), name, "is out of range", remedy);
+  return vector;
+}
+
+Vec3 place_of(const double* values, const char* name) {
+  return vector_of(values, name, kPlace, "components of -1e6 to 1e6 m");
+}
+
+GrabSpring spring_of(const griffith_spring* spring) {
+  if (!spring) return {};
+  require(is_within(between(0.01, 100), spring->frequency), "spring.frequency", "is out of range", "0.01 to 100 Hz");
+  require(is_within(between(0, 10), spring->damping_ratio), "spring.damping_ratio", "is out of range", "0 to 10");
+  require(is_within(between(0.01, 1e6), spring->strength), "spring.strength", "is out of range", "0.01 to 1e6");
+  return {spring->frequency, spring->damping_ratio, spring->strength};
+}
+
+MaterialPlace required_material_at(const World& world, const Vec3& place) {
+  const MaterialPlace found = material_at(world.frame(), place);
+  require(found.tet >= 0, "position", "is near no body: the world has none", "add a body to the scene");
+  return found;
 }
 
 }  // namespace
@@ -153,6 +180,49 @@ griffith_status griffith_world_fire_json(griffith_world* world, const char* json
   return guarded(error, [&] {
     griffith_world& target = object_of(world, kWorld);
     fire(target, burst_of(target.world, text_of(json, "json")));
+  });
+}
+
+griffith_status griffith_world_push(griffith_world* world, const double position[3], const double impulse[3],
+                                    griffith_error* error) {
+  return guarded(error, [&] {
+    griffith_world& pushed = object_of(world, kWorld);
+    const Vec3 place = place_of(position, "position");
+    const Vec3 of_push = vector_of(impulse, "impulse", between(-1e9, 1e9), "components of -1e9 to 1e9 N s");
+    const MaterialPlace at = required_material_at(pushed.world, place);
+    const Push push{at.tet, at.weights, of_push};
+    pushed.world.push(push);
+    record(pushed, {pushed.world.frame().step, push});
+  });
+}
+
+griffith_status griffith_world_grab(griffith_world* world, const double position[3], const double target[3],
+                                    const griffith_spring* spring, griffith_error* error) {
+  return guarded(error, [&] {
+    griffith_world& grabbed = object_of(world, kWorld);
+    const Vec3 place = place_of(position, "position"), end = place_of(target, "target");
+    const GrabSpring of_grab = spring_of(spring);
+    const MaterialPlace at = required_material_at(grabbed.world, place);
+    const Grab grab{at.tet, at.weights, end, of_grab};
+    grabbed.world.grab(grab);
+    record(grabbed, {grabbed.world.frame().step, grab});
+  });
+}
+
+griffith_status griffith_world_move_grab(griffith_world* world, const double target[3], griffith_error* error) {
+  return guarded(error, [&] {
+    griffith_world& moved = object_of(world, kWorld);
+    const GrabMove move{place_of(target, "target")};
+    moved.world.move_grab(move.target);
+    record(moved, {moved.world.frame().step, move});
+  });
+}
+
+griffith_status griffith_world_release(griffith_world* world, griffith_error* error) {
+  return guarded(error, [&] {
+    griffith_world& released = object_of(world, kWorld);
+    released.world.release();
+    record(released, {released.world.frame().step, GrabRelease{}});
   });
 }
 

@@ -199,6 +199,27 @@ public sealed unsafe class World : IDisposable {
     Native.Check(Native.griffith_world_fire(handle_, ref shot, Native.ClearError()));
   }
 
+  /// <summary>Pushes the material at a position [m], or the nearest point of the surface, with an impulse [N·s].</summary>
+  public void Push(Double3 position, Double3 impulse) {
+    Native.Check(Native.griffith_world_push(handle_, ref position, ref impulse, Native.ClearError()));
+  }
+
+  /// <summary>Grabs the material at a position [m], or the nearest point of the surface: a spring pulls it to the
+  /// target [m]. Frequency [Hz]; strength: greatest force, in weights of the piece.</summary>
+  public void Grab(Double3 position, Double3 target, double frequency = 3, double dampingRatio = 0.7,
+                   double strength = 10) {
+    var spring = new Native.Spring { Frequency = frequency, DampingRatio = dampingRatio, Strength = strength };
+    Native.Check(Native.griffith_world_grab(handle_, ref position, ref target, ref spring, Native.ClearError()));
+  }
+
+  /// <summary>Moves the target of the grab [m].</summary>
+  public void MoveGrab(Double3 target) {
+    Native.Check(Native.griffith_world_move_grab(handle_, ref target, Native.ClearError()));
+  }
+
+  /// <summary>Ends the grab, if there is one.</summary>
+  public void Release() { Native.Check(Native.griffith_world_release(handle_, Native.ClearError())); }
+
   /// <summary>Changes a field of the material of a body of the scene, as JSON text.</summary>
   public void SetMaterial(int sceneBody, string field, string json) {
     Native.Check(Native.griffith_world_set_material(handle_, sceneBody, Native.Utf8(field), Native.Utf8(json),
@@ -267,6 +288,11 @@ static unsafe class Native {
   }
 
   [StructLayout(LayoutKind.Sequential)]
+  internal struct Spring {
+    public double Frequency, DampingRatio, Strength;
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
   internal struct Error {
     public int Status;
     public fixed byte Where[512];
@@ -316,6 +342,14 @@ static unsafe class Native {
   [DllImport(Library)] internal static extern void griffith_world_destroy(IntPtr world);
   [DllImport(Library)] internal static extern int griffith_world_step(IntPtr world, int count, IntPtr error);
   [DllImport(Library)] internal static extern int griffith_world_fire(IntPtr world, ref Shot shot, IntPtr error);
+  [DllImport(Library)] internal static extern int griffith_world_push(IntPtr world, ref Double3 position,
+                                                                      ref Double3 impulse, IntPtr error);
+  [DllImport(Library)] internal static extern int griffith_world_grab(IntPtr world, ref Double3 position,
+                                                                      ref Double3 target, ref Spring spring,
+                                                                      IntPtr error);
+  [DllImport(Library)] internal static extern int griffith_world_move_grab(IntPtr world, ref Double3 target,
+                                                                           IntPtr error);
+  [DllImport(Library)] internal static extern int griffith_world_release(IntPtr world, IntPtr error);
   [DllImport(Library)] internal static extern int griffith_world_set_material(IntPtr world, int sceneBody,
                                                                               byte[] field, byte[] json, IntPtr error);
   [DllImport(Library)] internal static extern int griffith_world_start_recording(IntPtr world, IntPtr error);

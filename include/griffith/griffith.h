@@ -143,6 +143,29 @@ GRIFFITH_API griffith_status griffith_world_fire(griffith_world* world, const gr
 /* Fires an entry of a scene's "projectiles", such as {"speed": 20, "count": 3}; its start is relative to the current
  * time. */
 GRIFFITH_API griffith_status griffith_world_fire_json(griffith_world* world, const char* json, griffith_error* error);
+/* Pushes the material at a position [m], or the point of the surface nearest to it, with an impulse [N·s]. It acts as a
+ * constant force in the next time step; the piece may deform and break. */
+GRIFFITH_API griffith_status griffith_world_push(griffith_world* world, const double position[3],
+                                                 const double impulse[3], griffith_error* error);
+
+/* A spring with a damper. All of it is relative to the piece that it pulls, so that pieces of any mass follow alike. */
+typedef struct griffith_spring {
+  double frequency;     /* frequency of the piece on the spring [Hz], 0.01 to 100 */
+  double damping_ratio; /* 0 to 10 */
+  double strength;      /* greatest force, in weights of the piece, 0.01 to 1e6 */
+} griffith_spring;
+
+/* Grabs the material at a position [m], or the point of the surface nearest to it, in place of what is held: a spring
+ * pulls it to the target [m]. Null `spring`: that of the editor, {3, 0.7, 10}. */
+GRIFFITH_API griffith_status griffith_world_grab(griffith_world* world, const double position[3],
+                                                 const double target[3], const griffith_spring* spring,
+                                                 griffith_error* error);
+/* Moves the target of the grab [m]. */
+GRIFFITH_API griffith_status griffith_world_move_grab(griffith_world* world, const double target[3],
+                                                      griffith_error* error);
+/* Ends the grab, if there is one. */
+GRIFFITH_API griffith_status griffith_world_release(griffith_world* world, griffith_error* error);
+
 /* Changes a field of the material of a scene's body in the running world: "young_modulus", "3e10". The pieces of the
  * body keep their velocities. */
 GRIFFITH_API griffith_status griffith_world_set_material(griffith_world* world, int32_t scene_body, const char* field,
@@ -152,7 +175,7 @@ GRIFFITH_API griffith_status griffith_world_set_material(griffith_world* world, 
  * `griffith simulate --stats`. */
 GRIFFITH_API uint64_t griffith_world_state_hash(const griffith_world* world);
 
-/* Starts to record shots, changes of material and hashes; call it before the first step. */
+/* Starts to record shots, pushes, grabs, changes of material and hashes; call it before the first step. */
 GRIFFITH_API griffith_status griffith_world_start_recording(griffith_world* world, griffith_error* error);
 /* Writes the recording, for `griffith replay`, `griffith render` and bug reports. */
 GRIFFITH_API griffith_status griffith_world_save_recording(const griffith_world* world, const char* path,

@@ -4,7 +4,7 @@ layout(std140) uniform View {
   mat4 shadow_matrix;  // world to shadow map, [0, 1]³
   vec4 eye;  // homogeneous: a point (w = 1), or the direction toward the eye of a parallel projection (w = 0)
   vec4 light;  // unit vector toward the light; w: size of a shadow texel [m]
-  vec4 viewport;       // width, height [pixels]; z: samples per pixel
+  vec4 viewport;       // width, height [pixels]; z: samples per pixel; w: height of the whole picture over that of the drawn part
   vec4 visible;  // surfaces are drawn if dot(visible.xyz, position) <= visible.w
   vec4 effects;  // x: width of penumbras over distance; y: their samples; z: 1 for transparent materials; w: 1 for a sky
   vec4 surroundings;  // rgb: light from the ground; w: factor on all light but the lamp's

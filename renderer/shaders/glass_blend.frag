@@ -32,13 +32,13 @@ bool stands_before(ivec2 place, float away) {
   return found;
 }
 
-// Returns the offset at which the background is sampled, in fractions of the picture: at most its distance behind the
+// Returns the offset at which the background is sampled, in fractions of the drawn part: at most its distance behind the
 // faces, since rays are refracted by less than 45 degrees, and zero if something is in front of them.
 vec2 bend(ivec2 pixel, vec2 size, vec4 face_sum, float faces) {
   float opaque_away = texelFetch(opaque_distance, pixel, 0).r, beyond = face_sum.w / faces;
   vec3 up = vec3(view_projection[0][1], view_projection[1][1], view_projection[2][1]);
   float most = 0.5 * length(up) * beyond / opaque_away;
-  vec2 aside = kBend * face_sum.xy / faces;
+  vec2 aside = kBend * viewport.w * face_sum.xy / faces;
   aside *= min(1.0, most / max(length(aside), 1e-6)) * vec2(size.y / size.x, 1.0);
   return stands_before(ivec2(gl_FragCoord.xy - aside * size), opaque_away - beyond) ? vec2(0.0) : aside;
 }

@@ -44,23 +44,30 @@ inline void stretch(const Matrix b, const Matrix h, Matrix k) {
     for (int j = 0; j < 3; ++j) k[i][j] = b[j][i] + h[i][j] + b[0][i] * h[0][j] + b[1][i] * h[1][j] + b[2][i] * h[2][j];
 }
 
-/// Rotates R toward the rotation of F. With the symmetric part S of RᵀF, its axial vector a is (tr(S) I − S) w for a
-/// small rotation vector w.
+/// Computes ½ (tr(S) I − S)⁻¹ a, S the symmetric part of I + K with K = RᵀF − I: half of the small rotation that makes
+/// RᵀF symmetric, if a is the axial vector of K. Zero for a flattened element, which keeps its rotation.
+inline void half_turn(const Matrix k, const Lanes a[3], Lanes turn[3]) {
+  const Lanes two = broadcast(2), half = broadcast(0.5F);
+  const Lanes m00 = two + k[1][1] + k[2][2], m11 = two + k[0][0] + k[2][2], m22 = two + k[0][0] + k[1][1];
+  const Lanes m01 = -half * (k[0][1] + k[1][0]), m02 = -half * (k[0][2] + k[2][0]), m12 = -half * (k[1][2] + k[2][1]);
+  const Lanes c00 = m11 * m22 - m12 * m12, c01 = m02 * m12 - m01 * m22, c02 = m01 * m12 - m02 * m11;
+  const Lanes c11 = m00 * m22 - m02 * m02, c12 = m01 * m02 - m00 * m12, c22 = m00 * m11 - m01 * m01;
+  const Lanes determinant = m00 * c00 + m01 * c01 + m02 * c02;
+  const Lanes factor = determinant > broadcast(0.05F) ? half / determinant : broadcast(0);
+  turn[0] = factor * (c00 * a[0] + c01 * a[1] + c02 * a[2]);
+  turn[1] = factor * (c01 * a[0] + c11 * a[1] + c12 * a[2]);
+  turn[2] = factor * (c02 * a[0] + c12 * a[1] + c22 * a[2]);
+}
+
+/// Rotates R toward the rotation of F.
 inline void follow_rotation(const Matrix h, Lanes q[4]) {
   Matrix b, k;
   rotation_less_identity(q, b);
   stretch(b, h, k);
-  const Lanes two = broadcast(2), half = broadcast(0.5F);
-  const Lanes m00 = two + k[1][1] + k[2][2], m11 = two + k[0][0] + k[2][2], m22 = two + k[0][0] + k[1][1];
-  const Lanes m01 = -half * (k[0][1] + k[1][0]), m02 = -half * (k[0][2] + k[2][0]), m12 = -half * (k[1][2] + k[2][1]);
-  const Lanes a0 = k[2][1] - k[1][2], a1 = k[0][2] - k[2][0], a2 = k[1][0] - k[0][1];
-  const Lanes c00 = m11 * m22 - m12 * m12, c01 = m02 * m12 - m01 * m22, c02 = m01 * m12 - m02 * m11;
-  const Lanes c11 = m00 * m22 - m02 * m02, c12 = m01 * m02 - m00 * m12, c22 = m00 * m11 - m01 * m01;
-  const Lanes determinant = m00 * c00 + m01 * c01 + m02 * c02;
-  // A flattened element keeps its rotation.
-  const Lanes factor = determinant > broadcast(0.05F) ? half / determinant : broadcast(0);
-  const Lanes x = factor * (c00 * a0 + c01 * a1 + c02 * a2), y = factor * (c01 * a0 + c11 * a1 + c12 * a2),
-              z = factor * (c02 * a0 + c12 * a1 + c22 * a2);
+  const Lanes a[3] = {k[2][1] - k[1][2], k[0][2] - k[2][0], k[1][0] - k[0][1]};
+  Lanes turn[3];
+  half_turn(k, a, turn);
+  const Lanes &x = turn[0], &y = turn[1], &z = turn[2];
   const Lanes p[4] = {q[0], q[1], q[2], q[3]};
   q[0] = p[0] + p[3] * x + p[1] * z - p[2] * y;
   q[1] = p[1] + p[3] * y + p[2] * x - p[0] * z;

@@ -16,7 +16,7 @@ void MicrostepContacts::list_grounded() {
   const Obstacle& ground = this->ground();
   for (int i = 0; i < static_cast<int>(obstacles_.size()); ++i) {
     const Obstacle& obstacle = obstacles_[i];
-    if (obstacle.inverse_mass == 0 || candidates_[i].empty()) continue;
+    if (!obstacle.is_movable() || candidates_[i].empty()) continue;
     if (ground.gap_of(obstacle.state.pose.translation) > obstacle.radius + margin_) continue;
     if (obstacle.is_sphere()) grounded_.push_back({i, Vec3::Zero()});
     for (const ConvexSolid& part : obstacle.solids)

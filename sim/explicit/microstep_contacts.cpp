@@ -238,7 +238,7 @@ void MicrostepContacts::list_pairs(const ExplicitBodies& bodies, std::span<const
 void MicrostepContacts::list_candidates(const ExplicitBodies& bodies, double displacement) {
   margin_ = std::clamp(kMicrostepsOfCandidates * displacement, 0.25 * element_size_, element_size_);
   for (const Obstacle& obstacle : obstacles_)
-    if (obstacle.inverse_mass > 0 && std::isfinite(obstacle.radius)) margin_ = std::max(margin_, 0.1 * obstacle.radius);
+    if (obstacle.is_movable() && std::isfinite(obstacle.radius)) margin_ = std::max(margin_, 0.1 * obstacle.radius);
   catch_up();
   const BoxedSurface surface = boxed_surface(bodies);
   parallel_for(static_cast<int>(obstacles_.size()), 8, [&](int begin, int end) {

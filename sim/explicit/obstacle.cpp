@@ -31,7 +31,7 @@ ConvexSolid convex_solid(const ConvexHull& hull, double spacing) {
 }
 
 void Obstacle::push(const Vec3& place, const Vec3& impulse) {
-  if (inverse_mass == 0) return;
+  if (!is_movable()) return;
   const Vec3 before = velocity_at(place);
   state.velocity += inverse_mass * impulse;
   state.angular_velocity += inverse_inertia_now_ * (place - state.pose.translation).cross(impulse);
@@ -39,14 +39,14 @@ void Obstacle::push(const Vec3& place, const Vec3& impulse) {
 }
 
 void Obstacle::shift(const Vec3& place, const Vec3& impulse, double time) {
-  if (inverse_mass == 0) return;
+  if (!is_movable()) return;
   const Vec3 turn = time * (inverse_inertia_now_ * (place - state.pose.translation).cross(impulse));
   state.pose.translation += time * inverse_mass * impulse;
   if (!is_sphere()) state.pose.rotation = (Quat(rotation_by(turn)) * state.pose.rotation).normalized();
 }
 
 double Obstacle::mobility(const Vec3& place, const Vec3& direction) const {
-  if (inverse_mass == 0) return 0;
+  if (!is_movable()) return 0;
   const Vec3 lever = (place - state.pose.translation).cross(direction);
   return inverse_mass + lever.dot(inverse_inertia_now_ * lever);
 }

@@ -84,18 +84,18 @@ void weighted_stresses(const BlockLaw& law, Lanes volume, Symmetric s[4]) {
     for (int e = 0; e < 6; ++e) s[v][e] = weight * (s[v][e] + sum[e]);
 }
 
-/// Adds the contribution of the rotating frame (turning_traction() of quadratic_element.cpp), to first order in the
-/// strain.
-void add_turning(const Matrix frame, const Matrix k[4], const Symmetric s[4], Matrix total) {
+/// Adds the contribution of the rotating frame (turning_traction() of quadratic_element.cpp). `whole`: K of F_0.
+void add_turning(const Matrix frame, const Matrix whole, const Matrix k[4], const Symmetric s[4], Matrix total) {
   const auto moment = [&](int i, int j) {
     Lanes sum = {};
     for (int v = 0; v < 4; ++v)
       for (int l = 0; l < 3; ++l) sum += k[v][i][l] * s[v][kEntry[l][j]];
     return sum;
   };
-  const Lanes half = broadcast(0.5F), zero = {};
-  const Lanes z0 = half * (moment(1, 2) - moment(2, 1)), z1 = half * (moment(2, 0) - moment(0, 2)),
-              z2 = half * (moment(0, 1) - moment(1, 0));
+  const Lanes moments[3] = {moment(1, 2) - moment(2, 1), moment(2, 0) - moment(0, 2), moment(0, 1) - moment(1, 0)};
+  Lanes half[3];
+  half_turn(whole, moments, half);
+  const Lanes zero = {}, z0 = half[0] + half[0], z1 = half[1] + half[1], z2 = half[2] + half[2];
   const Matrix z = {{zero, z2, -z1}, {-z2, zero, z0}, {z1, -z0, zero}};
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
@@ -155,7 +155,11 @@ void force_quadratic_elements_of(const BlockLaw& law, ElementBlock& block, Quadr
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) total[i][j] += p[v][i][j];
   }
-  if constexpr (model == ElementModel::corotational) add_turning(frame, k, strains, total);
+  if constexpr (model == ElementModel::corotational) {
+    Matrix stretch_of_corners;
+    stretch(frame, whole, stretch_of_corners);
+    add_turning(frame, stretch_of_corners, k, strains, total);
+  }
   write_forces(block, p, total, largest, forces, edge_forces);
 }
 

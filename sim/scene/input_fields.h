@@ -39,6 +39,13 @@ template <class Archive>
 void describe(Archive&, GrabRelease&) {}
 
 template <class Archive>
+void describe(Archive& archive, Push& push) {
+  archive.field("tet", push.tet, between(0, 1e9), "Index of the tet that holds the point");
+  archive.field("weights", push.weights, between(0, 1, "-"), "Barycentric weights of its corners 1 to 3");
+  archive.field("impulse", push.impulse, between(-1e9, 1e9, "N·s"), "Impulse, given in the next step");
+}
+
+template <class Archive>
 void describe(Archive& archive, WorldInput& input) {
   archive.field("step", input.step, between(0, kMaxSteps), "Number of steps before it");
   archive.template alternative<ProjectileBurst>("fire", input.action, Parts{},
@@ -47,6 +54,7 @@ void describe(Archive& archive, WorldInput& input) {
   archive.template alternative<Grab>("grab", input.action, Parts{}, "Grab of a point by a spring");
   archive.template alternative<GrabMove>("move_grab", input.action, Parts{}, "New target of the grab");
   archive.template alternative<GrabRelease>("release", input.action, Parts{}, "End of the grab");
+  archive.template alternative<Push>("push", input.action, Parts{}, "Impulse on a point");
 }
 
 }  // namespace griffith

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/scene/grab.h"
+#include "sim/scene/push.h"
 #include "sim/scene/scene.h"
 
 namespace griffith {
@@ -21,7 +22,7 @@ struct MaterialChange {
 /// Input to a world from outside, before the step after `step`.
 struct WorldInput {
   std::int64_t step = 0;
-  std::variant<ProjectileBurst, MaterialChange, Grab, GrabMove, GrabRelease> action;
+  std::variant<ProjectileBurst, MaterialChange, Grab, GrabMove, GrabRelease, Push> action;
   bool operator==(const WorldInput&) const = default;
 };
 

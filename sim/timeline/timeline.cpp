@@ -29,6 +29,7 @@ void apply(World& world, WorldInput& input) {
     void operator()(const Grab& grab) const { world.grab(grab); }
     void operator()(const GrabMove& move) const { world.move_grab(move.target); }
     void operator()(const GrabRelease&) const { world.release(); }
+    void operator()(const Push& push) const { world.push(push); }
   };
   std::visit(Apply{world}, input.action);
 }
@@ -117,6 +118,7 @@ void Timeline::set_material(int scene_body, const Material& material) {
 void Timeline::grab(const Grab& grab) { do_input({step_, grab}); }
 void Timeline::move_grab(const Vec3& target) { do_input({step_, GrabMove{target}}); }
 void Timeline::release() { do_input({step_, GrabRelease{}}); }
+void Timeline::push(const Push& push) { do_input({step_, push}); }
 
 /// Applies the input to the world first, since a refused input is none.
 void Timeline::do_input(WorldInput input) {

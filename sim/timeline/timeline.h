@@ -94,6 +94,7 @@ class Timeline {
   void grab(const Grab& grab);
   void move_grab(const Vec3& target);
   void release();
+  void push(const Push& push);
   /// Goes to a step of a branch, clamped to first_step() and the branch's last.
   void go_to(int branch, std::int64_t step);
   void go_to(std::int64_t step) { go_to(branch_, step); }

@@ -4,6 +4,7 @@
 
 #include "sim/solver/contact_response.h"
 #include "sim/world/conditions/grab.h"
+#include "sim/world/conditions/material_point.h"
 #include "sim/world/contact/elastic_contacts.h"
 #include "sim/world/motion/elastic_phase.h"
 #include "sim/world/state/world_state.h"
@@ -18,12 +19,12 @@ double rigid_admittance(const RigidMotion& motion, const Vec3& position, const V
 }
 
 /// Returns the same of the piece as it moves in a substep of `dt` [s]. Microsteps let it move as a rigid one at least.
-double admittance(const WorldState& world, const HeldPoint& held, const Vec3& direction, double dt) {
-  const Body& body = grabbed_body(world, held.grab);
+double admittance(const WorldState& world, const PlacedLoad& grab, const Vec3& direction, double dt) {
+  const Body& body = body_at(world, *grab.point);
   if (!body.is_deformable() || world.integrates_explicitly())
-    return rigid_admittance(body.motion, held.position, direction);
+    return rigid_admittance(body.motion, grab.spring->position, direction);
   ExternalForces impulse = no_forces(world);
-  add_force_at(world, held.grab, direction, impulse);
+  add_force_at(world, *grab.point, direction, impulse);
   const NodeVectors of_rows = body.system->gather(impulse.nodes, impulse.edges);
   const ImplicitStep step = implicit_step(world, body, dt);
   NodeVectors change =
@@ -37,17 +38,17 @@ double admittance(const WorldState& world, const HeldPoint& held, const Vec3& di
 void update_grab(WorldState& world, double dt) {
   PlacedLoad* placed = present_grab(world);
   if (!placed) return;
-  HeldPoint& held = *placed->held;
-  const Vec3 position = grabbed_position(world, held.grab);
+  HeldSpring& held = *placed->spring;
+  const Vec3 position = position_of(world, *placed->point);
   if (world.time > held.time) held.velocity = (position - held.position) / (world.time - held.time);
   held.position = position;
   held.time = world.time;
-  const auto [stiffness, damping, max_force] = spring_constants(world, held.grab);
+  const auto [stiffness, damping, max_force] = spring_constants(world, *placed);
   Vec3& force = placed->load.force;
-  const Vec3 pull = stiffness * (held.grab.target - position - dt * held.velocity) - damping * held.velocity;
+  const Vec3 pull = stiffness * (held.target - position - dt * held.velocity) - damping * held.velocity;
   const Vec3 change = pull - force;
   if (change.isZero(0)) return;
-  const double along = admittance(world, held, change.normalized(), dt);
+  const double along = admittance(world, *placed, change.normalized(), dt);
   force += change / (1 + dt * (dt * stiffness + damping) * along);
   if (force.norm() > max_force) force *= max_force / force.norm();
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Force of a grab: a load on a point of material (PlacedLoad::held) by a spring and a damper to a target. It is
+/// Force of a grab: a load on a point of material (PlacedLoad::spring) by a spring and a damper to a target. It is
 /// constant in a substep,
 ///   f⁺ = f + (k (t − x − h v) − c v − f) / (1 + h (h k + c) w),   |f⁺| ≤ f_max,
 /// with the target t, the point's position x and velocity v, and its admittance w, the velocity per impulse along the

@@ -9,6 +9,7 @@
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/bodies/expected_impacts.h"
 #include "sim/world/conditions/projectiles.h"
+#include "sim/world/conditions/push.h"
 #include "sim/world/contact/contact_phase.h"
 #include "sim/world/contact/large_strains.h"
 #include "sim/world/energy/energy_phase.h"
@@ -310,6 +311,7 @@ bool make_step(WorldState& world, const StepReport& last) {
   }
   ++world.step;
   world.time = static_cast<double>(world.step) * time_step;
+  end_pushes(world);
   return !asleep;
 }
 

@@ -7,6 +7,7 @@
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/conditions/grab.h"
 #include "sim/world/conditions/projectiles.h"
+#include "sim/world/conditions/push.h"
 #include "sim/world/contact/contact_phase.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/explicit/explicit_regime.h"
@@ -161,6 +162,7 @@ ProjectileBurst World::fire(const ProjectileBurst& burst) { return fire_burst(im
 void World::grab(const Grab& grab) { begin_grab(impl_->state, grab); }
 void World::move_grab(const Vec3& target) { griffith::move_grab(impl_->state, target); }
 void World::release() { end_grab(impl_->state); }
+void World::push(const Push& push) { begin_push(impl_->state, push); }
 
 void World::set_material(int scene_body, const Material& material) {
   WorldState& world = impl_->state;

@@ -6,6 +6,7 @@
 #include "sim/core/error.h"
 #include "sim/core/monitor.h"
 #include "sim/scene/grab.h"
+#include "sim/scene/push.h"
 #include "sim/scene/scene.h"
 #include "sim/world/output/frame.h"
 #include "sim/world/setup/in_memory_meshes.h"
@@ -13,8 +14,8 @@
 
 namespace griffith {
 
-/// Scene in motion. Results depend only on the scene, the shots, grabs and edits, and the number of steps: never on the
-/// clock, the number of threads or the frame rate.
+/// Scene in motion. Results depend only on the scene, the shots, grabs, pushes and edits, and the number of steps:
+/// never on the clock, the number of threads or the frame rate.
 class World {
  public:
   /// Builds meshes and setup. Throws InputError if a mesh or a value of the scene is unusable, and Cancelled if the
@@ -48,6 +49,9 @@ class World {
   void move_grab(const Vec3& target);
   /// Ends the grab, if there is one.
   void release();
+  /// Pushes a point of material by a constant force in the next step, whose impulse is given. Wakes its piece, which
+  /// may deform and break. Throws InputError if the point does not exist, or if the scene's analysis is static.
+  void push(const Push& push);
   /// Sets elastic and fracture properties of the pieces of Scene::bodies[scene_body] while running. Density takes
   /// effect as well: velocities are kept, momentum changes with the mass. Before the first step the body starts as if
   /// made of the material: supported bodies in its equilibrium. Throws InputError, and changes nothing, for a material

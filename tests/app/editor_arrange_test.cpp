@@ -28,7 +28,7 @@ BodyDescription box(const Vec3& size, const Vec3& position, const Vec3& degrees 
 }
 
 std::optional<double> gap(const BodyDescription& upper, const BodyDescription& lower) {
-  return vertical_gap(placed_surface(upper, {}), placed_surface(lower, {}));
+  return ui::vertical_gap(placed_surface(upper, {}), placed_surface(lower, {}));
 }
 
 TEST(VerticalGap, OfCrossedBarsIsThatOfTheirFaces) {

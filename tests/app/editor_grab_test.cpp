@@ -166,7 +166,60 @@ TEST_F(EditorGrab, BesideAPieceTheViewIsRotated) {
 
 TEST_F(EditorGrab, AStaticAnalysisRefusesIt) {
   editor_.document().history().change("Set analysis", [](Scene& scene) { scene.analysis = Analysis::static_; });
-  EXPECT_THAT(std::string(editor_.disabled_reason("simulation.grab")), HasSubstr("nothing moves"));
+  for (const char* tool : {"simulation.grab", "simulation.push"})
+    EXPECT_THAT(std::string(editor_.disabled_reason(tool)), HasSubstr("nothing moves"));
+}
+
+TEST_F(EditorGrab, AClickWithTheToolPushesAlongTheLineOfSight) {
+  make_steps(20);
+  const Vec2 place = place_of_body();
+  press_key('I');
+  EXPECT_TRUE(editor_.state().push_tool);
+  editor_.state().push_impulse = 30;
+  const Vec3 before = frame().totals.momentum;
+  move_to(place);
+  draw(2);
+  EXPECT_THAT(value("push/readout"), HasSubstr("30 N·s on "));
+  press_at(place);
+  release_button();
+  EXPECT_EQ(editor_.run().timeline().inputs().size(), 1u);
+  ASSERT_TRUE(editor_.state().push_mark);
+  const Vec3 impulse = editor_.state().push_mark->impulse;
+  EXPECT_NEAR(impulse.norm(), 30, 1e-9);
+  const Vec3 sight =
+      (editor_.state().push_mark->point - editor_.viewport().camera().position.cast<double>()).normalized();
+  EXPECT_GT(impulse.normalized().dot(sight), 0.999) << "away from the eye, through the point";
+  make_steps(1);
+  EXPECT_NE(frame().totals.momentum, before);
+  EXPECT_GT(frame().energy.loads, 0);
+  press_key('D');
+  EXPECT_FALSE(editor_.state().push_tool) << "one tool at a time";
+}
+
+TEST_F(EditorGrab, PushesAreRepeatedToTheBit) {
+  make_steps(10);
+  const Vec2 place = place_of_body();
+  editor_.state().push_impulse = 100;
+  editor_.execute({.name = "simulation.push_at", .cursor = place});
+  make_steps(20);
+  const std::uint64_t end = editor_.run().world().state_hash();
+  editor_.execute({.name = "time.step", .step = 5});
+  make_steps(25);
+  EXPECT_EQ(editor_.run().world().state_hash(), end);
+  std::filesystem::remove(test_folder() / "push.tar.zst");
+  editor_.execute({.name = "file.write_recording", .path = test_folder() / "push.tar.zst"});
+  const Recording recording = read_recording(test_folder() / "push.tar.zst");
+  EXPECT_EQ(recording.inputs.size(), 1u);
+  Replay replay(recording);
+  while (!replay.at_end()) replay.advance();
+  EXPECT_FALSE(replay.difference());
+}
+
+TEST_F(EditorGrab, APushBesideAPieceDoesNothing) {
+  press_key('I');
+  press_at(Vec2(0.02, 0.05));
+  release_button();
+  EXPECT_TRUE(editor_.run().timeline().inputs().empty());
 }
 
 }  // namespace

@@ -246,5 +246,70 @@ TEST(RenderCommand, AFileOfJobsDrawsThemAllAndOneAlone) {
   EXPECT_EQ(run_program("render --job-file " + jobs.string() + " --only c -o " + out.string()).code, 2);
 }
 
+TEST(RenderCommand, ATurntableGoesOnceAroundTheTarget) {
+  const std::filesystem::path folder = test_folder() / "turntable";
+  std::filesystem::remove_all(folder);
+  const std::string command = "render " + small_wall_file().string() + " --size 160x100 --no-legend --frame 4 -o " +
+                              (folder / "wall.png").string();
+  ASSERT_EQ(run_program(command + " --turntable 4").code, 0);
+  std::set<std::string> pictures;
+  for (const char* name : {"wall_000.png", "wall_001.png", "wall_002.png", "wall_003.png"}) {
+    const render::Image image = render::load_png(folder / name);
+    pictures.emplace(image.rgba.begin(), image.rgba.end());
+  }
+  EXPECT_EQ(pictures.size(), 4u);
+  ASSERT_EQ(run_program(command).code, 0);
+  EXPECT_EQ(render::load_png(folder / "wall.png"), render::load_png(folder / "wall_000.png"))
+      << "the camera's own view";
+  const Outcome refused = run_program(command + " --turntable 8 --ui");
+  EXPECT_EQ(refused.code, 2);
+}
+
+TEST(RenderCommand, EveryNthAngleOfAFinerTurntableIsThatOfACoarseOne) {
+  const std::filesystem::path folder = test_folder() / "angles";
+  std::filesystem::remove_all(folder);
+  const auto draw = [&](const std::string& name, int count) {
+    const Outcome outcome = run_program("render " + small_wall_file().string() + " --size 160x100 --turntable " +
+                                        std::to_string(count) + " -o " + (folder / (name + ".png")).string());
+    ASSERT_EQ(outcome.code, 0) << outcome.output;
+  };
+  draw("coarse", 3);
+  draw("fine", 6);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_EQ(render::load_png(folder / ("coarse_00" + std::to_string(i) + ".png")),
+              render::load_png(folder / ("fine_00" + std::to_string(2 * i) + ".png")));
+}
+
+TEST(RenderCommand, SeveralScenesOrAFolderAreDrawnOneAfterTheOther) {
+  const std::filesystem::path folder = test_folder() / "batch", scenes = folder / "scenes";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(scenes);
+  std::filesystem::copy_file(small_wall_file(), scenes / "a.json");
+  std::ofstream(scenes / "b.json") << "{}";
+  std::filesystem::copy_file(small_wall_file(), scenes / "c.json");
+  const std::string how = " --size 160x100 -o " + (folder / "pictures").string();
+  const Outcome outcome = run_program("render " + scenes.string() + how);
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.output.find("1 of 3 scenes could not be drawn"), std::string::npos) << outcome.output;
+  for (const char* name : {"a.png", "c.png"})
+    EXPECT_EQ(render::load_png(folder / "pictures" / name).width, 160) << "those after a bad one too";
+  const Outcome list = run_program("render " + (scenes / "a.json").string() + " " + (scenes / "c.json").string() + how +
+                                   " --frames 0:4:2 --contact-sheet " + (folder / "sheet.png").string());
+  EXPECT_EQ(list.code, 0) << list.output;
+  for (const char* name : {"pictures/a_0004.png", "pictures/c_0000.png", "sheet_a.png", "sheet_c.png"})
+    EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+  const Outcome twice =
+      run_program("render " + (scenes / "a.json").string() + " " + (scenes / "a.json").string() + how);
+  EXPECT_EQ(twice.code, 2);
+  EXPECT_NE(twice.output.find("earlier scene"), std::string::npos) << twice.output;
+}
+
+TEST(RenderCommand, SizesHaveLimits) {
+  for (const char* size : {"15x100", "70000x100", "30000x30000", "1280"}) {
+    const Outcome refused = run_program("render " + small_wall_file().string() + " -o x.png --size " + size);
+    EXPECT_EQ(refused.code, 2) << size;
+  }
+}
+
 }  // namespace
 }  // namespace griffith::app

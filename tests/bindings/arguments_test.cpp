@@ -29,7 +29,7 @@ class Caller {
   griffith_status call_any() {
     wants_error_ = random_.index(8) != 0;
     griffith_error* error = wants_error_ ? &error_ : nullptr;
-    switch (random_.index(17)) {
+    switch (random_.index(21)) {
       case 0:
         return keep(scenes_, [&](griffith_scene** made) { return griffith_scene_parse(text(), text(), made, error); });
       case 1:
@@ -79,6 +79,16 @@ class Caller {
       }
       case 15:
         return griffith_world_update_surfaces(world(), error);
+      case 16:
+        return griffith_world_push(world(), vector(), vector(), error);
+      case 17: {
+        const griffith_spring spring = {number(), number(), number()};
+        return griffith_world_grab(world(), vector(), vector(), random_.index(2) ? &spring : nullptr, error);
+      }
+      case 18:
+        return griffith_world_move_grab(world(), vector(), error);
+      case 19:
+        return griffith_world_release(world(), error);
       default:
         return random_.index(2) ? griffith_world_start_recording(world(), error)
                                 : griffith_world_save_recording(world(), "/no/such/folder/run.tar.zst", error);
@@ -123,6 +133,12 @@ class Caller {
         0, 1, -1, 3, 1e300, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(), 20};
     return random_.index(2) ? random_.uniform(0.1, 5) : kNumbers[random_.index(8)];
   }
+  /// Returns three numbers, valid until the next call but one.
+  const double* vector() {
+    std::array<double, 3>& numbers = vectors_[next_vector_++ % vectors_.size()];
+    numbers = {number(), number(), number()};
+    return random_.index(9) ? numbers.data() : nullptr;
+  }
   template <std::size_t N>
   const char* one_of(const char* const (&texts)[N]) {
     return texts[random_.index(N)];
@@ -162,6 +178,8 @@ class Caller {
   RandomValues random_;
   std::array<OwnedScene, 3> scenes_;
   std::array<OwnedWorld, 3> worlds_;
+  std::array<std::array<double, 3>, 2> vectors_ = {};
+  std::size_t next_vector_ = 0;
   griffith_error error_ = {};
   bool wants_error_ = true;
   int succeeded_ = 0, refused_ = 0;

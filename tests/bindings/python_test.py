@@ -161,7 +161,16 @@ class Worlds(unittest.TestCase):
         world.fire(position=[0, 1, 3], speed=20, mass=10, radius=0.1)
         world.run(3)
         world.set_material(0, young_modulus=5e9, density=2000)
+        world.push([0, 1, 1], [0, 0, -40])
+        world.grab([0, 1, 1], target=[0, 1.3, 1], strength=5)
         world.run(5)
+        world.move_grab([0, 1.4, 1])
+        world.run(2)
+        world.release()
+        with self.assertRaises(griffith.ArgumentError):
+            world.push([0, 1, 1], [float("nan"), 0, 0])
+        with self.assertRaises(griffith.InputError):
+            world.move_grab([0, 1, 1])
         with self.assertRaises(griffith.InputError):
             world.set_material(0, density=2100, poisson_ratio=3)
         with self.assertRaises(griffith.InputError):

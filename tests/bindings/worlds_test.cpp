@@ -105,7 +105,14 @@ TEST(CWorlds, RecordingsAreMadeAgain) {
   ASSERT_EQ(griffith_world_step(world.get(), 3, nullptr), GRIFFITH_OK);
   ASSERT_EQ(griffith_world_fire(world.get(), &shot, nullptr), GRIFFITH_OK);
   ASSERT_EQ(griffith_world_set_material(world.get(), 0, "young_modulus", "5e9", nullptr), GRIFFITH_OK);
-  ASSERT_EQ(griffith_world_step(world.get(), 12, nullptr), GRIFFITH_OK);
+  const double place[] = {0, 1, 1}, impulse[] = {0, 0, -50}, target[] = {0, 1.2, 1};
+  ASSERT_EQ(griffith_world_push(world.get(), place, impulse, nullptr), GRIFFITH_OK);
+  ASSERT_EQ(griffith_world_grab(world.get(), place, target, nullptr, nullptr), GRIFFITH_OK);
+  ASSERT_EQ(griffith_world_step(world.get(), 6, nullptr), GRIFFITH_OK);
+  ASSERT_EQ(griffith_world_move_grab(world.get(), place, nullptr), GRIFFITH_OK);
+  ASSERT_EQ(griffith_world_step(world.get(), 3, nullptr), GRIFFITH_OK);
+  ASSERT_EQ(griffith_world_release(world.get(), nullptr), GRIFFITH_OK);
+  ASSERT_EQ(griffith_world_step(world.get(), 3, nullptr), GRIFFITH_OK);
   griffith_error error;
   ASSERT_EQ(griffith_world_save_recording(world.get(), path.c_str(), &error), GRIFFITH_OK) << error.problem;
   const Recording recording = read_recording(path);
@@ -113,6 +120,46 @@ TEST(CWorlds, RecordingsAreMadeAgain) {
   while (!replay.at_end()) replay.advance();
   EXPECT_FALSE(replay.difference());
   EXPECT_EQ(replay.world().state_hash(), griffith_world_state_hash(world.get()));
+}
+
+/// A free block of 1 m and 1000 kg without gravity, in the middle of the world.
+OwnedWorld floating_block() {
+  return make_world(R"({"version": 1, "gravity": [0, 0, 0], "ground": null, "simulation": {"fracture": false},
+      "bodies": [{"shape": {"box": {"size": [1, 1, 1], "element_size": 0.5}},
+                  "material": {"density": 1000, "young_modulus": 1e9}}]})");
+}
+
+double value_of(const OwnedWorld& world, const char* name) {
+  double value = 0;
+  EXPECT_EQ(griffith_world_value(world.get(), name, &value, nullptr), GRIFFITH_OK);
+  return value;
+}
+
+TEST(CWorlds, APushFromOutsideActsOnTheNearestPoint) {
+  const double outside[] = {9, 0.1, 0}, inside[] = {0.2, 0.1, 0.1}, impulse[] = {-3, 0, 0};
+  for (const double* place : {outside, inside}) {
+    const OwnedWorld world = floating_block();
+    ASSERT_EQ(griffith_world_push(world.get(), place, impulse, nullptr), GRIFFITH_OK);
+    ASSERT_EQ(griffith_world_step(world.get(), 2, nullptr), GRIFFITH_OK);
+    EXPECT_NEAR(value_of(world, "momentum_x"), -3, 1e-9);
+    EXPECT_NEAR(value_of(world, "angular_momentum_z"), 0.3, 1e-3) << "0.1 m · 3 N·s";
+  }
+}
+
+TEST(CWorlds, PushesAndGrabsHaveRanges) {
+  const OwnedWorld world = floating_block();
+  const double fine[] = {0, 0, 0}, far[] = {2e6, 0, 0}, strong[] = {0, 1e10, 0};
+  const griffith_spring loose = {0, 0.7, 10};
+  griffith_error error;
+  EXPECT_EQ(griffith_world_push(world.get(), far, fine, &error), GRIFFITH_INVALID_ARGUMENT);
+  EXPECT_STREQ(error.where, "position");
+  EXPECT_EQ(griffith_world_push(world.get(), fine, strong, &error), GRIFFITH_INVALID_ARGUMENT);
+  EXPECT_STREQ(error.where, "impulse");
+  EXPECT_EQ(griffith_world_push(world.get(), fine, nullptr, &error), GRIFFITH_INVALID_ARGUMENT);
+  EXPECT_EQ(griffith_world_grab(world.get(), fine, fine, &loose, &error), GRIFFITH_INVALID_ARGUMENT);
+  EXPECT_STREQ(error.where, "spring.frequency");
+  EXPECT_EQ(griffith_world_move_grab(world.get(), fine, &error), GRIFFITH_INPUT_ERROR) << "nothing is held";
+  EXPECT_EQ(griffith_world_release(world.get(), &error), GRIFFITH_OK);
 }
 
 TEST(CWorlds, ShotsHaveTheRangesOfScenes) {

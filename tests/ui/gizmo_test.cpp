@@ -26,7 +26,7 @@ class GizmoTest : public ::testing::Test {
   GizmoTest() {
     ui_.input.camera = oblique_camera();
     ui_.input.high = Vec3(2, 2, 2);
-    ui_.state.show_gizmo = true;
+    ui_.state.gizmo = GizmoTool::place;
     ui_.frame();
   }
   const BodyDescription& body() const { return ui_.history.scene().bodies[0]; }
@@ -46,7 +46,7 @@ class GizmoTest : public ::testing::Test {
 TEST_F(GizmoTest, AKeyShowsIt) {
   ui_.press_key('G');
   ASSERT_EQ(ui_.issued(), std::vector<std::string_view>{"edit.gizmo"});
-  ui_.state.show_gizmo = false;
+  ui_.state.gizmo = GizmoTool::none;
   ui_.frame();
   EXPECT_FALSE(shown());
 }
@@ -201,7 +201,7 @@ TEST(Gizmo, HidesWhatCannotBeDraggedAsItIsSeen) {
   const std::vector<HandleShape> shapes = handle_shapes(ViewCamera{}, Vec3::Zero(), 100);  // looks along z
   std::vector<std::string> names;
   for (const HandleShape& shape : shapes) names.push_back(handle_name(shape.handle));
-  EXPECT_EQ(names, (std::vector<std::string>{"move_x", "move_y", "move_xy", "turn_x", "turn_y", "turn_z"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"move_x", "move_y", "move_xy", "turn_x", "turn_y", "turn_z", "move"}));
   EXPECT_TRUE(handle_shapes(ViewCamera{}, Vec3(0, 0, 9), 100).empty()) << "behind the eye";
 }
 

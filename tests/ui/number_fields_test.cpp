@@ -73,6 +73,8 @@ TEST(NumberFields, PanelsAndFilesShareOneRange) {
 
 TEST(NumberFields, CountsSayWhatTheyTake) {
   UiDriver ui(two_walls());
+  scroll(ui.queue, ui.find("materials"), 40);
+  ui.move(ui.find("materials"));
   ui.click("projectile/count");
   ui.type("20000");
   EXPECT_EQ(ui.state.shot.count, 10000);

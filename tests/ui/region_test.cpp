@@ -198,7 +198,7 @@ TEST_F(RegionTest, StandsAtTheStartOfTimeAlone) {
 }
 
 TEST_F(RegionTest, TheGizmoMovesAllThatIsChosenButNothingTwice) {
-  ui_.state.show_gizmo = true;
+  ui_.state.gizmo = GizmoTool::place;
   // The load of a chosen body goes with it.
   ui_.state.entries = {{EntryKind::load, 0, 1}, {EntryKind::projectile, 0}, {EntryKind::body, 1}};
   ui_.frame();
@@ -215,7 +215,7 @@ TEST_F(RegionTest, TheGizmoMovesAllThatIsChosenButNothingTwice) {
 }
 
 TEST_F(RegionTest, TheGizmoMovesARegionAndOffersNoRings) {
-  ui_.state.show_gizmo = true;
+  ui_.state.gizmo = GizmoTool::place;
   ui_.frame();
   EXPECT_EQ(find_tag(ui_.tags, "gizmo/turn_y"), nullptr);
   const Vec3 before = placement_of(ui_.history.scene(), {EntryKind::support, 0, 1})->position;

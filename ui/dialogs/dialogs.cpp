@@ -13,13 +13,15 @@ namespace {
 
 constexpr char kWorkTitle[] = "Working";
 
-constexpr std::array<std::pair<const char*, const char*>, 10> kMouseHelp = {{
+constexpr std::array<std::pair<const char*, const char*>, 12> kMouseHelp = {{
     {"Left drag", "orbit"},
     {"Shift + drag, middle drag", "pan"},
     {"Wheel", "zoom"},
     {"Click", "inspect a node and its element, select the body"},
     {"Ctrl + drag", "move the slice plane"},
     {"Left drag, Grab on", "pull a piece by a spring while the simulation runs; Escape lets go"},
+    {"Click, Push on", "push a piece along the line of sight"},
+    {"Drag a material", "give it to a body, in the view or the outliner"},
     {"Right click in the view", "fire the projectile at that point; hold the button to preview its path"},
     {"Click on a number", "type a value: 20, 20 GPa, 2*30+1 mm; Tab: next field, Escape: cancel"},
     {"Drag a number", "change it; Shift: fine steps, Ctrl: round values"},

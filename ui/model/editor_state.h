@@ -145,6 +145,12 @@ struct Caption {
   Answer answer = Answer::none;
 };
 
+/// A push, as the view shows it for some steps.
+struct PushMark {
+  std::int64_t step = 0;                              ///< step that it follows
+  Vec3 point = Vec3::Zero(), impulse = Vec3::Zero();  ///< [m], [N·s]
+};
+
 /// State of the editor itself: neither part of the scene nor relevant to the result of a step.
 struct EditorState {
   bool running = false;
@@ -163,17 +169,24 @@ struct EditorState {
   GrabSpring grab_spring;                    ///< spring of the next grab
   bool holds_piece = false;                  ///< the mouse or a script holds a piece
   bool mouse_grabs = false;                  ///< the left button went down to grab
+  bool push_tool = false;                    ///< a click pushes the piece below it
+  double push_impulse = 10;                  ///< impulse of the next push [N·s]
+  std::optional<PushMark> push_mark;         ///< last push
+  std::optional<Material> dragged_material;  ///< while a material is dragged onto a body
+  std::optional<Vec2> pointed_at;            ///< point of the view below the mouse, 0..1, while a tool needs its piece
   int selected_body = 0;                     ///< index into Scene::bodies
   std::vector<SceneEntry> entries;  ///< entries selected in the outliner, in that order; empty: the selected body
   std::optional<SceneEntry> listed_entry;  ///< the active entry when the outliner was drawn last
   std::optional<SceneEntry> renamed;       ///< entry whose name is being typed
   std::string new_name;
-  std::set<std::string> hidden_bodies;        ///< names of the bodies that are not drawn
-  bool list_pieces = false;                   ///< lists each piece instead of each body
-  std::array<char, 64> body_filter = {};      ///< text that the listed names or states contain
-  FieldNote field_note;                       ///< message about the last edit, until the next click
-  Selection selection;                        ///< picked in the view; follows the material through fracture
-  bool show_gizmo = false;                    ///< shows handles that move and rotate the selected entries
+  std::set<std::string> hidden_bodies;    ///< names of the bodies that are not drawn
+  bool list_pieces = false;               ///< lists each piece instead of each body
+  std::array<char, 64> body_filter = {};  ///< text that the listed names or states contain
+  FieldNote field_note;                   ///< message about the last edit, until the next click
+  Selection selection;                    ///< picked in the view; follows the material through fracture
+  GizmoTool gizmo = GizmoTool::none;      ///< handles of the selected entries in the view
+  bool snap = false;                      ///< drags of handles snap; Ctrl inverts it
+  SnapTarget snap_target = SnapTarget::round_values;
   std::optional<RegionDrag> region_drag;      ///< while a grip of a region is dragged
   bool paint_regions = false;                 ///< the mouse paints the region of the active entry
   std::optional<RegionStroke> region_stroke;  ///< while a stroke is painted

@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "ui/model/gizmo_geometry.h"
+#include "ui/model/gizmo_scale.h"
+#include "ui/model/region_outline.h"
 #include "ui/model/units.h"
 
 namespace griffith::ui {
@@ -31,19 +33,22 @@ struct Anchor {
   Vec3 near_axis(int axis) const { return std::copysign(1, to_eye[axis]) * axis_of(axis); }
 };
 
-/// Adds the shape if all of it is in front of the eye.
-void add_shape(std::vector<HandleShape>& shapes, const Anchor& anchor, GizmoHandle handle,
-               const std::vector<Vec3>& outline, const Vec3& grip) {
-  HandleShape shape{handle, {}, Vec2::Zero()};
-  for (const Vec3& point : outline) {
-    const std::optional<Vec2> pixel = anchor.camera.pixel(anchor.place + anchor.length * point);
-    if (!pixel) return;
-    shape.outline.push_back(*pixel);
+/// Adds a handle whose outline and grip are relative to the gizmo, in lengths of an arrow.
+void add_shape(std::vector<HandleShape>& shapes, const Anchor& anchor, GizmoHandle handle, std::vector<Vec3> outline,
+               const Vec3& grip) {
+  for (Vec3& point : outline) point = anchor.place + anchor.length * point;
+  add_handle(shapes, anchor.camera, handle, outline, anchor.place + anchor.length * grip);
+}
+
+/// Returns points of an arc about the origin in the plane of two unit vectors, from one angle to another [rad].
+std::vector<Vec3> arc_of(const Vec3& x, const Vec3& y, double radius, double from, double to) {
+  constexpr int kSegments = 64;
+  std::vector<Vec3> arc;
+  for (int i = 0; i <= kSegments; ++i) {
+    const double angle = from + (to - from) * i / kSegments;
+    arc.push_back(radius * (std::cos(angle) * x + std::sin(angle) * y));
   }
-  const std::optional<Vec2> pixel = anchor.camera.pixel(anchor.place + anchor.length * grip);
-  if (!pixel) return;
-  shape.grip = *pixel;
-  shapes.push_back(std::move(shape));
+  return arc;
 }
 
 void add_arrow(std::vector<HandleShape>& shapes, const Anchor& anchor, int axis) {
@@ -64,20 +69,23 @@ void add_plane(std::vector<HandleShape>& shapes, const Anchor& anchor, int axis)
 /// Adds the half of a ring that faces the eye; the full ring if it is seen face-on.
 void add_ring(std::vector<HandleShape>& shapes, const Anchor& anchor, int axis) {
   constexpr double kFaceOn = 0.95;
-  constexpr int kSegments = 64;
   const Vec3 normal = axis_of(axis);
   const bool whole = std::abs(anchor.to_eye[axis]) > kFaceOn;
   const Vec3 reference = axis_of((axis + 1) % 3);
   const Vec3 front = whole ? reference : (anchor.to_eye - anchor.to_eye[axis] * normal).normalized();
   const Vec3 side = normal.cross(front);
   const double reach = whole ? std::numbers::pi : std::numbers::pi / 2;
-  std::vector<Vec3> arc;
-  for (int i = 0; i <= kSegments; ++i) {
-    const double angle = reach * (2.0 * i / kSegments - 1);
-    arc.push_back(kRingSize * (std::cos(angle) * front + std::sin(angle) * side));
-  }
   const Vec3 grip = anchor.near_axis((axis + 1) % 3) + anchor.near_axis((axis + 2) % 3);
-  add_shape(shapes, anchor, {Kind::ring, axis}, arc, kRingSize * grip.normalized());
+  add_shape(shapes, anchor, {Kind::ring, axis}, arc_of(front, side, kRingSize, -reach, reach),
+            kRingSize * grip.normalized());
+}
+
+/// Adds a small circle parallel to the picture in the middle.
+void add_center(std::vector<HandleShape>& shapes, const Anchor& anchor) {
+  constexpr double kSize = 0.1;
+  const ViewCamera& camera = anchor.camera;
+  add_shape(shapes, anchor, {Kind::free}, arc_of(camera.right, camera.up, kSize, 0, 2 * std::numbers::pi),
+            Vec3::Zero());
 }
 
 double distance_to_segment(const Vec2& point, const Vec2& a, const Vec2& b) {
@@ -107,11 +115,14 @@ double distance_to(const HandleShape& shape, const Vec2& point) {
   return nearest;
 }
 
-bool moves(GizmoHandle handle, int axis) { return (handle.kind == Kind::arrow) == (handle.axis == axis); }
+bool moves(GizmoHandle handle, int axis) {
+  return handle.kind == Kind::free || (handle.kind == Kind::arrow) == (handle.axis == axis);
+}
 
 /// Returns the displacement from the grabbed point [m].
 std::optional<Vec3> offset_of(const GizmoDrag& drag, const ViewRay& ray) {
-  const Vec3 axis = axis_of(drag.handle.axis), &origin = drag.start.position;
+  const Vec3 &origin = drag.start.position, sight = (origin - drag.grabbed.origin).normalized();
+  const Vec3 axis = drag.handle.kind == Kind::free ? sight : axis_of(drag.handle.axis);
   if (drag.handle.kind == Kind::arrow) {
     const auto from = nearest_on_axis(drag.grabbed, origin, axis), to = nearest_on_axis(ray, origin, axis);
     return from && to ? std::optional<Vec3>((*to - *from) * axis) : std::nullopt;
@@ -120,12 +131,31 @@ std::optional<Vec3> offset_of(const GizmoDrag& drag, const ViewRay& ray) {
   return from && to ? std::optional<Vec3>(*to - *from) : std::nullopt;
 }
 
-void move(GizmoDrag& drag, const ViewRay& ray, double step) {
+/// Snaps the position to the nearest contact along an axis of the handle.
+void snap_position(GizmoDrag& drag, double reach) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!moves(drag.handle, axis)) continue;
+    const Vec3 offset = drag.placement.position - drag.start.position;
+    const std::optional<Snap> snap = snap_along(drag.surfaces, offset, axis, reach);
+    if (!snap) continue;
+    drag.snap = snap;
+    drag.placement.position = moved_place(drag.start.position, snap->offset);
+  }
+}
+
+void move(GizmoDrag& drag, const ViewRay& ray, const DragSteps& steps) {
+  drag.snap.reset();
+  if (steps.reach > 0 && drag.handle.kind == Kind::free) {
+    drag.snap = snap_to_ray(drag.surfaces, drag.start.position, ray);
+    if (drag.snap) drag.placement.position = moved_place(drag.start.position, drag.snap->offset);
+    if (drag.snap) return;
+  }
   const std::optional<Vec3> offset = offset_of(drag, ray);
   if (!offset) return;
   for (int axis = 0; axis < 3; ++axis)
     if (moves(drag.handle, axis))
-      drag.placement.position[axis] = multiple_of(drag.start.position[axis] + (*offset)[axis], step);
+      drag.placement.position[axis] = multiple_of(drag.start.position[axis] + (*offset)[axis], steps.length);
+  if (steps.reach > 0) snap_position(drag, steps.reach);
 }
 
 void turn(GizmoDrag& drag, const ViewRay& ray, double step) {
@@ -146,11 +176,30 @@ double multiple_of(double value, double step) {
 }
 
 std::string handle_name(GizmoHandle handle) {
+  if (handle.kind == Kind::size) return "scale";
+  if (handle.kind == Kind::stretch) return std::string("scale_") + kAxisNames[handle.axis];
   if (handle.kind == Kind::ring) return std::string("turn_") + kAxisNames[handle.axis];
+  if (handle.kind == Kind::free) return "move";
   std::string name = "move_";
   for (int axis = 0; axis < 3; ++axis)
     if (moves(handle, axis)) name += kAxisNames[axis];
   return name;
+}
+
+bool has_effect(const GizmoDrag& drag) { return drag.placement != drag.start || drag.scaling.factors != Vec3::Ones(); }
+
+void add_handle(std::vector<HandleShape>& shapes, const ViewCamera& camera, GizmoHandle handle,
+                const std::vector<Vec3>& outline, const Vec3& grip) {
+  HandleShape shape{handle, {}, Vec2::Zero()};
+  for (const Vec3& point : outline) {
+    const std::optional<Vec2> pixel = camera.pixel(point);
+    if (!pixel) return;
+    shape.outline.push_back(*pixel);
+  }
+  const std::optional<Vec2> pixel = camera.pixel(grip);
+  if (!pixel) return;
+  shape.grip = *pixel;
+  shapes.push_back(std::move(shape));
 }
 
 std::vector<HandleShape> handle_shapes(const ViewCamera& camera, const Vec3& place, double size) {
@@ -160,6 +209,7 @@ std::vector<HandleShape> handle_shapes(const ViewCamera& camera, const Vec3& pla
   for (int axis = 0; axis < 3; ++axis) add_arrow(shapes, anchor, axis);
   for (int axis = 0; axis < 3; ++axis) add_plane(shapes, anchor, axis);
   for (int axis = 0; axis < 3; ++axis) add_ring(shapes, anchor, axis);
+  add_center(shapes, anchor);
   return shapes;
 }
 
@@ -179,16 +229,19 @@ double ring_radius(const ViewCamera& camera, const Vec3& place, double size) {
 }
 
 void follow_ray(GizmoDrag& drag, const ViewRay& ray, const DragSteps& steps) {
-  if (ray.origin == drag.last.origin && ray.direction == drag.last.direction && drag.placement == drag.start) return;
-  if (drag.handle.kind == Kind::ring) {
+  if (ray.origin == drag.last.origin && ray.direction == drag.last.direction && !has_effect(drag)) return;
+  if (scales(drag.handle)) {
+    follow_scaling(drag, ray, steps);
+  } else if (drag.handle.kind == Kind::ring) {
     turn(drag, ray, steps.angle);
   } else {
-    move(drag, ray, steps.length);
+    move(drag, ray, steps);
   }
   drag.last = ray;
 }
 
 std::string drag_text(const GizmoDrag& drag) {
+  if (scales(drag.handle)) return scaling_text(drag);
   char number[32];
   if (drag.handle.kind == Kind::ring) {
     std::snprintf(number, sizeof number, "%+.4g°", drag.turn_degrees);
@@ -201,6 +254,7 @@ std::string drag_text(const GizmoDrag& drag) {
     text += (text.empty() ? "" : "   ") + std::string(1, kAxisNames[axis]) + " " + format_quantity(place, "m");
     text += (way < 0 ? " (" : " (+") + format_quantity(way, "m") + ")";
   }
+  if (drag.snap) text += "   touches " + drag.snap->onto;
   return text;
 }
 

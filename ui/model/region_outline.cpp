@@ -21,19 +21,11 @@ void add_box(const BoxRegion& box, std::vector<RegionLine>& lines) {
       if (!(bits & axis)) lines.push_back({corner(bits), corner(bits | axis)});
 }
 
-void add_circle(const Vec3& center, const Vec3& a, const Vec3& b, std::vector<RegionLine>& lines) {
-  constexpr int kSegments = 48;
-  const auto place = [&](int i) {
-    const double angle = 2 * std::numbers::pi * i / kSegments;
-    return Vec3(center + std::cos(angle) * a + std::sin(angle) * b);
-  };
-  for (int i = 0; i < kSegments; ++i) lines.push_back({place(i), place(i + 1)});
-}
-
 void add_sphere(const SphereRegion& sphere, std::vector<RegionLine>& lines) {
   for (int axis = 0; axis < 3; ++axis)
-    add_circle(sphere.center, sphere.radius * Vec3::Unit((axis + 1) % 3), sphere.radius * Vec3::Unit((axis + 2) % 3),
-               lines);
+    for (const RegionLine& line : circle_lines(sphere.center, sphere.radius * Vec3::Unit((axis + 1) % 3),
+                                               sphere.radius * Vec3::Unit((axis + 2) % 3)))
+      lines.push_back(line);
 }
 
 void add_plane(const HalfSpaceRegion& half_space, double size, std::vector<RegionLine>& lines) {
@@ -69,6 +61,17 @@ void keep_in_limits(Region& region) {
 }
 
 }  // namespace
+
+std::vector<RegionLine> circle_lines(const Vec3& center, const Vec3& a, const Vec3& b) {
+  constexpr int kSegments = 48;
+  const auto place = [&](int i) {
+    const double angle = 2 * std::numbers::pi * i / kSegments;
+    return Vec3(center + std::cos(angle) * a + std::sin(angle) * b);
+  };
+  std::vector<RegionLine> lines;
+  for (int i = 0; i < kSegments; ++i) lines.push_back({place(i), place(i + 1)});
+  return lines;
+}
 
 std::vector<RegionLine> region_lines(const Region& region, double size) {
   std::vector<RegionLine> lines;

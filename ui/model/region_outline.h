@@ -10,6 +10,9 @@ namespace griffith::ui {
 /// A line segment in the body's rest space [m].
 using RegionLine = std::array<Vec3, 2>;
 
+/// Returns a circle about a center with two perpendicular radii.
+std::vector<RegionLine> circle_lines(const Vec3& center, const Vec3& a, const Vec3& b);
+
 /// Returns the edges of a box, three circles of a sphere, or a square of edge `size` [m] with its normal for a
 /// half-space; empty for nodes.
 std::vector<RegionLine> region_lines(const Region& region, double size);

@@ -62,9 +62,12 @@ void begin_side(const Panel& panel, const char* name, const Layout& layout, bool
 void draw_left(Panel& panel, const Layout& layout) {
   begin_side(panel, "##left", layout, true, panel.state.left_width, panel.state.preferences.left_width);
   draw_outliner_panel(panel);
+  draw_handles_panel(panel);
   draw_entry_panel(panel);
+  draw_material_list(panel);
   draw_scene_panel(panel);
   draw_grab_panel(panel);
+  draw_push_panel(panel);
   draw_projectile_panel(panel);
   ImGui::End();
 }

@@ -6,6 +6,7 @@
 #include "sim/fracture/fracture_law.h"
 #include "sim/world/output/scaled_breaks.h"
 #include "ui/model/entry_choice.h"
+#include "ui/model/material_choice.h"
 #include "ui/model/verdict.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/field_range.h"
@@ -76,24 +77,10 @@ std::string source_text(const Material& material) {
   return "";
 }
 
-/// Sets the material of all selected bodies, the shown one included.
-void assign(Panel& panel, const Material& material) {
-  std::vector<SceneEntry> entries = selected_entries(panel.state, panel.history.scene());
-  entries.push_back({EntryKind::body, panel.state.selected_body});
-  panel.history.change("Set material " + material.name, [&](Scene& scene) {
-    for (const SceneEntry& entry : entries)
-      if (entry.kind == EntryKind::body) scene.bodies[static_cast<std::size_t>(entry.index)].material = material;
-  });
-  panel.history.finish();
-}
-
 /// Draws the list of presets and the scene's own materials.
 void preset_row(Panel& panel, Material& material) {
   const Scene& scene = panel.history.scene();
-  std::vector<Material> offered = scene.materials;
-  for (const MaterialPreset& preset : material_presets())
-    if (std::ranges::find(scene.materials, preset.material.name, &Material::name) == scene.materials.end())
-      offered.push_back(preset.material);
+  const std::vector<Material> offered = offered_materials(scene);
   std::vector<std::string> names;
   for (const Material& one : offered) names.push_back(one.name);
   const int chosen = combo_row(panel, "material/preset", "Preset", names, preset_text(scene, material));
@@ -102,7 +89,8 @@ void preset_row(Panel& panel, Material& material) {
   if (selected > 1) hint(panel, "A preset goes to all " + std::to_string(selected) + " selected bodies.");
   if (chosen < 0) return;
   material = offered[static_cast<std::size_t>(chosen)];
-  assign(panel, material);
+  const auto shown = static_cast<std::size_t>(panel.state.selected_body);
+  assign_material(panel.history, material_targets(panel.state, scene, shown), material);
 }
 
 /// Saves the body's material as one of the scene's own under that name, replacing an earlier one.

@@ -9,6 +9,7 @@
 #include "ui/model/entry_choice.h"
 #include "ui/model/units.h"
 #include "ui/model/verdict.h"
+#include "ui/panels/material_drag.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -83,13 +84,13 @@ void context_menu(Panel& panel, const OutlinerRow& row) {
   if (row.entry.kind == EntryKind::camera) {
     items({"view.look_through", "view.set_camera"});
   } else if (row.entry.kind == EntryKind::body) {
-    items({"view.hide", "edit.gizmo"});
+    items({"view.hide", "edit.gizmo", "edit.scale"});
     if (ImGui::BeginMenu("Add")) {
       items({"add.support", "add.load", "add.probe"});
       ImGui::EndMenu();
     }
   } else {
-    items({"edit.gizmo"});
+    items({"edit.gizmo", "edit.scale"});
     if (row.entry.kind != EntryKind::projectile) items({"edit.paint"});
   }
   ImGui::EndPopup();
@@ -210,6 +211,8 @@ void draw_outliner_row(Panel& panel, const std::vector<OutlinerRow>& rows, const
   const bool chosen = is_chosen(panel, row);
   if (ImGui::Selectable(("###" + row.tag).c_str(), chosen, kFlags)) select_row(panel, rows, row);
   tag_last_item(panel.tags, row.tag, row.name);
+  const std::optional<int> body = body_of(panel.history.scene(), row.entry);
+  if (is_body && body) drop_material(panel, static_cast<std::size_t>(*body));
   if (chosen) mark_chosen(panel, row);
   draw_name(panel, row, width, hidden);
   if (panel.state.field_note.tag == row.tag) {

@@ -54,6 +54,15 @@ bool drag_piece(Panel& panel, const Vec2& cursor);
 /// Draws the spring of the present grab from the piece to its target, with its force.
 void draw_grab(const Panel& panel);
 
+/// Draws the last push for some steps, and what a click would do to the piece below the mouse while the tool is on.
+void draw_push(Panel& panel);
+
+/// Gives a material that is dropped on the picture, the item drawn last, to the body below the mouse.
+void drop_material_on_view(Panel& panel);
+
+/// Tints the bodies that would get the dragged material.
+void draw_material_target(Panel& panel);
+
 /// Draws the compared branch over the picture in the view, right of a border that can be dragged or as a ghost, with
 /// the names of both branches and their difference.
 void draw_comparison(Panel& panel);

@@ -21,7 +21,14 @@ void draw_scene_panel(Panel& panel);
 void draw_material_panel(Panel& panel);
 /// Draws the settings of the projectile tool.
 void draw_projectile_panel(Panel& panel);
+/// Draws the settings of the grab while its tool is on.
 void draw_grab_panel(Panel& panel);
+/// Draws the impulse of a push while its tool is on.
+void draw_push_panel(Panel& panel);
+/// Draws the materials that can be dragged onto bodies.
+void draw_material_list(Panel& panel);
+/// Draws the settings of the handles while they are shown.
+void draw_handles_panel(Panel& panel);
 /// Draws the settings of the picture: quantity, range and colors, element style, slice, layers.
 void draw_view_panel(Panel& panel);
 /// Explains why the picked node broke or holds, and describes its element and piece.

@@ -145,6 +145,18 @@ void draw_grab_panel(Panel& panel) {
   hint(panel, "Drag a piece in the view. It is an input of the run, like a shot.");
 }
 
+void draw_push_panel(Panel& panel) {
+  if (!panel.state.push_tool) return;
+  heading(panel, "Push");
+  number_field_row(panel,
+                   {.tag = "push/impulse",
+                    .label = "Impulse",
+                    .numbers = {.minimum = 1e-6, .maximum = 1e9, .unit = "N·s"},
+                    .tooltip = "Momentum that a click gives to the piece, by a constant force in the next time step."},
+                   panel.state.push_impulse);
+  hint(panel, "Click a piece in the view. It is an input of the run, like a shot.");
+}
+
 void draw_projectile_panel(Panel& panel) {
   heading(panel, "Projectile");
   ProjectileBurst& shot = panel.state.shot;

@@ -23,6 +23,8 @@ void simulation_buttons(Panel& panel) {
   command_button(panel, "simulation.fire", Icon::fire, true);
   ImGui::SameLine();
   command_button(panel, "simulation.grab", Icon::grab, true, panel.state.grab_tool);
+  ImGui::SameLine();
+  command_button(panel, "simulation.push", Icon::push, true, panel.state.push_tool);
 }
 
 /// Draws the speed, 0.1 to 100 % of real time.

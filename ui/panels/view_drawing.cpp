@@ -26,10 +26,18 @@ ImVec2 on_screen(const Panel& panel, const Vec2& pixel) {
 }
 
 DragSteps drag_steps(const Panel& panel, const Vec3& place) {
-  constexpr double kStepsAcross = 40, kFinest = 1e-9, kSnappedTurn = 15, kFineTurn = 0.1;
+  constexpr double kStepsAcross = 40, kFinest = 1e-9, kReach = 14;  // kReach: design pixels
   const double pixel = std::max(view_camera(panel).pixel_length(place), kFinest);
-  if (!ImGui::GetIO().KeyCtrl) return {round_step(pixel), kFineTurn};
-  return {round_step(std::max((panel.input.high - panel.input.low).norm() / kStepsAcross, pixel)), kSnappedTurn};
+  DragSteps steps{.length = round_step(pixel)};
+  if (panel.state.snap == ImGui::GetIO().KeyCtrl) return steps;
+  steps.angle = 15;
+  steps.factor = 0.1;
+  if (panel.state.snap_target == SnapTarget::surfaces) {
+    steps.reach = kReach * ui_scale(panel) * pixel;
+  } else {
+    steps.length = round_step(std::max((panel.input.high - panel.input.low).norm() / kStepsAcross, pixel));
+  }
+  return steps;
 }
 
 double region_size(const Panel& panel) { return std::max(0.6 * (panel.input.high - panel.input.low).norm(), 1e-3); }

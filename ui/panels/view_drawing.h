@@ -22,8 +22,8 @@ ViewCamera view_camera(const Panel& panel);
 Vec2 pixel_of(const Panel& panel, ImVec2 mouse);
 ImVec2 on_screen(const Panel& panel, const Vec2& pixel);
 
-/// Returns the increments of a drag: with Ctrl round ones that suit the size of all bodies, else those of a pixel at
-/// that point.
+/// Returns the increments of a drag: those of a pixel at that point or, while it snaps, round ones that suit the size
+/// of all bodies. Ctrl inverts the setting of snapping.
 DragSteps drag_steps(const Panel& panel, const Vec3& place);
 /// Returns the drawn size of unbounded regions [m].
 double region_size(const Panel& panel);

@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include "ui/model/entry_choice.h"
+#include "ui/model/entry_scale.h"
 #include "ui/panels/overlays.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/style.h"
@@ -35,6 +37,13 @@ void move_camera(EditorState& state, const ImGuiIO& io) {
   }
 }
 
+/// Asks for the piece below the mouse if a tool or a dragged material needs it.
+void point_at_piece(EditorState& state, const Vec2& cursor) {
+  const bool inside = cursor.minCoeff() >= 0 && cursor.maxCoeff() < 1;
+  const bool needed = state.push_tool ? ImGui::IsItemHovered() : state.dragged_material.has_value();
+  state.pointed_at = inside && needed ? std::optional(cursor) : std::nullopt;
+}
+
 void mouse_input(Panel& panel, const Vec2& cursor) {
   EditorState& state = panel.state;
   const ImGuiIO& io = ImGui::GetIO();
@@ -47,7 +56,17 @@ void mouse_input(Panel& panel, const Vec2& cursor) {
   aim_shot(panel, cursor);
   const bool clicked = ImGui::IsMouseReleased(ImGuiMouseButton_Left) && ImGui::IsItemDeactivated() &&
                        io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < slack * slack && !io.KeyShift;
-  if (clicked) issue(panel, {.name = "view.pick", .cursor = cursor});
+  if (clicked) issue(panel, {.name = state.push_tool ? "simulation.push_at" : "view.pick", .cursor = cursor});
+}
+
+/// Returns the reason why no handles are shown; empty if they are.
+std::string handles_hint(const Panel& panel) {
+  if (panel.input.frame.step > 0) return "      R: reset, to edit bodies";
+  const Scene& scene = panel.history.scene();
+  const std::optional<SceneEntry> entry = active_entry(panel.state, scene);
+  if (panel.state.gizmo != GizmoTool::scale || !entry) return "";
+  const std::string problem(scale_problem(scene, *entry));
+  return problem.empty() ? "" : "      " + problem;
 }
 
 void draw_hints(const Panel& panel, ImVec2 corner, ImVec2 end) {
@@ -55,12 +74,14 @@ void draw_hints(const Panel& panel, ImVec2 corner, ImVec2 end) {
   const float scale = ui_scale(panel), size = fonts.small->FontSize, margin = 14 * scale;
   std::string text =
       "drag: orbit      shift+drag: pan      wheel: zoom      click: inspect      right click: fire (hold: aim)";
-  if (panel.state.gizmo_drag || panel.state.region_drag) text = "ctrl: snap      esc: cancel";
+  if (panel.state.gizmo_drag || panel.state.region_drag)
+    text = panel.state.snap ? "ctrl: do not snap      esc: cancel" : "ctrl: snap      esc: cancel";
   if (panel.state.grab_tool) text = "drag a piece: pull it by a spring      elsewhere: orbit      D: done";
+  if (panel.state.push_tool) text = "click on a piece: push it      drag: orbit      I: done";
   if (panel.state.mouse_grabs) text = panel.state.running ? "release: let go" : "release: let go      space: run";
   if (panel.state.paint_regions) text = "drag on the body: paint      ctrl: erase      elsewhere: orbit      T: done";
   if (panel.state.aimed_at) text = "release: fire      esc: cancel";
-  if (panel.state.show_gizmo && panel.input.frame.step > 0) text += "      R: reset, to move bodies";
+  if (panel.state.gizmo != GizmoTool::none) text += handles_hint(panel);
   if (panel.state.view.slice) text += "      ctrl+drag: move the slice";
   const float width = fonts.small->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x + 24 * scale;
   if (end.x - corner.x < width + 2 * margin) return;
@@ -117,6 +138,8 @@ void draw_viewport(Panel& panel) {
   tag_last_item(panel.tags, "viewport");
   ImGui::SetItemAllowOverlap();  // the card of a stop has a button
   const Vec2 cursor = place_in_view(state, ImGui::GetIO().MousePos);
+  drop_material_on_view(panel);
+  point_at_piece(state, cursor);
   if (!paint_region(panel) && !drag_region(panel) && !drag_gizmo(panel) && !drag_piece(panel, cursor))
     mouse_input(panel, cursor);
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -129,6 +152,8 @@ void draw_viewport(Panel& panel) {
   draw_gizmo(panel);
   draw_aim(panel);
   draw_grab(panel);
+  draw_push(panel);
+  draw_material_target(panel);
   if (panel.input.legend && legend_fits({state.viewport_minimum, end}, ui_scale(panel))) {
     draw_legend(list, *panel.input.legend, panel.input.fonts, {state.viewport_minimum, end}, ui_scale(panel));
   }

@@ -141,6 +141,12 @@ constexpr Drawing kDrawings[] = {
        }
        pen.disc(0.65f, -0.75f, 0.22f);
      }},
+    {Icon::push,
+     [](const Pen& pen) {
+       pen.line(-0.95f, 0, -0.35f, 0);
+       pen.triangle({-0.45f, -0.4f}, {-0.45f, 0.4f}, {0.1f, 0});
+       pen.frame(0.25f, -0.65f, 0.9f, 0.65f);
+     }},
     {Icon::open,
      [](const Pen& pen) {
        pen.box(-0.85f, -0.65f, -0.1f, -0.3f);

@@ -15,6 +15,7 @@ enum class Icon {
   reset,
   fire,
   grab,
+  push,
   open,
   camera,
   frame,

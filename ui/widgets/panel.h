@@ -27,6 +27,7 @@ struct EditorInput {
   ViewCamera camera;                                    ///< camera of the picture
   std::optional<Legend> legend;                         ///< legend of the picture
   std::vector<PictureLabel> labels;                     ///< labels of the picture
+  BodyId pointed;                                       ///< piece at EditorState::pointed_at; invalid: none
   Aim aim;                                              ///< predicted flight of the aimed shot
   std::span<const UtilizationSample> utilizations;      ///< past of the selected node, oldest first
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();         ///< bounding box of the bodies [m]

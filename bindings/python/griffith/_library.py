@@ -40,6 +40,12 @@ class CInfo(ctypes.Structure):
     _fields_ = [("name", ctypes.c_char_p), ("unit", ctypes.c_char_p), ("meaning", ctypes.c_char_p)]
 
 
+class CSpring(ctypes.Structure):
+    """griffith_spring."""
+
+    _fields_ = [(name, ctypes.c_double) for name in ("frequency", "damping_ratio", "strength")]
+
+
 StageFunction = ctypes.CFUNCTYPE(None, ctypes.c_char_p, ctypes.c_void_p)
 CancelledFunction = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p)
 
@@ -79,6 +85,7 @@ def _load():
 _handle = ctypes.c_void_p
 _text = ctypes.c_char_p
 _out = ctypes.POINTER(ctypes.c_void_p)
+_vector = ctypes.c_double * 3
 
 # Arguments of the functions that return a status; each takes a griffith_error* as its last argument.
 _FUNCTIONS = {
@@ -93,6 +100,10 @@ _FUNCTIONS = {
     "world_restore": [_handle, _handle],
     "world_step": [_handle, ctypes.c_int32],
     "world_fire_json": [_handle, _text],
+    "world_push": [_handle, _vector, _vector],
+    "world_grab": [_handle, _vector, _vector, ctypes.POINTER(CSpring)],
+    "world_move_grab": [_handle, _vector],
+    "world_release": [_handle],
     "world_set_material": [_handle, ctypes.c_int32, _text, _text],
     "world_start_recording": [_handle],
     "world_save_recording": [_handle, _text],
@@ -148,6 +159,11 @@ def create(name, *arguments):
     made = ctypes.c_void_p()
     call(name, *arguments, ctypes.byref(made))
     return made
+
+
+def vector(values):
+    """Returns three numbers as a double[3]."""
+    return _vector(*map(float, values))
 
 
 def destroy(name, handle):

@@ -85,6 +85,31 @@ class World:
         [m/s], mass [kg], radius [m], shape, count, interval [s]."""
         _library.call("world_fire_json", self._handle, json.dumps(_plain(shot)).encode())
 
+    def push(self, position, impulse):
+        """Pushes the material at a position [m], or the point of the surface nearest to it, with an impulse [N·s], in
+        the next step. The piece may deform and break."""
+        _library.call("world_push", self._handle, _library.vector(position), _library.vector(impulse))
+
+    def grab(self, position, target, frequency=3, damping_ratio=0.7, strength=10):
+        """Grabs the material at a position [m], or the point of the surface nearest to it: a spring pulls it to the
+        target [m].
+
+        Args:
+            frequency: of the piece on the spring [Hz], 0.01 to 100.
+            damping_ratio: 0 to 10.
+            strength: greatest force, in weights of the piece, 0.01 to 1e6.
+        """
+        spring = _library.CSpring(frequency, damping_ratio, strength)
+        _library.call("world_grab", self._handle, _library.vector(position), _library.vector(target), spring)
+
+    def move_grab(self, target):
+        """Moves the target of the grab [m]."""
+        _library.call("world_move_grab", self._handle, _library.vector(target))
+
+    def release(self):
+        """Ends the grab, if there is one."""
+        _library.call("world_release", self._handle)
+
     def set_material(self, body=0, **fields):
         """Changes fields of the material of the scene's body number `body`, such as young_modulus=3e10 [Pa]. If one is
         rejected, none is changed."""

@@ -7,7 +7,6 @@
 
 namespace griffith {
 
-struct Body;
 struct WorldState;
 
 /// Begins a grab, in place of the present one if there is one, and wakes the piece. Throws InputError if the point does
@@ -20,18 +19,12 @@ void end_grab(WorldState& world);
 
 /// Returns the load of the grab; null if there is none.
 PlacedLoad* present_grab(WorldState& world);
-/// Returns the piece to which the grabbed point belongs now.
-const Body& grabbed_body(const WorldState& world, const Grab& grab);
-/// Returns the place of the grabbed point [m].
-Vec3 grabbed_position(const WorldState& world, const Grab& grab);
 /// Constants of the spring for the piece that it holds now.
 struct SpringConstants {
   double stiffness = 0, damping = 0, max_force = 0;  ///< [N/m], [N·s/m], [N]
 };
-SpringConstants spring_constants(const WorldState& world, const Grab& grab);
+SpringConstants spring_constants(const WorldState& world, const PlacedLoad& grab);
 /// Returns the grab as frames show it.
 std::optional<GrabView> grab_view(const WorldState& world);
-/// Adds a force [N] on a grabbed point to its corners and, in a quadratic tet, to its edges.
-void add_force_at(const WorldState& world, const Grab& grab, const Vec3& force, ExternalForces& forces);
 
 }  // namespace griffith

@@ -6,7 +6,7 @@
 #include "sim/core/sort_unique.h"
 #include "sim/core/tet_edge_corners.h"
 #include "sim/mesh/topology.h"
-#include "sim/world/conditions/grab.h"
+#include "sim/world/conditions/material_point.h"
 #include "sim/world/regime/regime_change.h"
 #include "sim/world/state/world_state.h"
 
@@ -102,7 +102,7 @@ PressedFace pressed_face(const WorldState& world, const SurfaceFace& face, doubl
 }
 
 void add_point_force(const WorldState& world, const PlacedLoad& placed, double factor, ExternalForces& forces) {
-  if (placed.held) return add_force_at(world, placed.held->grab, factor * placed.load.force, forces);
+  if (placed.point) return add_force_at(world, *placed.point, factor * placed.load.force, forces);
   const Vec3 force = factor / static_cast<double>(placed.corners.size()) * placed.load.force;
   for (const TetCorner& corner : placed.corners) forces.nodes[node_at(world.mesh->tets, corner)] += force;
 }
@@ -193,7 +193,7 @@ std::vector<BodyId> bodies_under(const WorldState& world, const PlacedLoad& plac
   for (const TetCorner& corner : placed.corners) add(corner.tet);
   for (const SurfaceFace& face : placed.faces) add(face.tet);
   for (const TetId tet : placed.tets) add(tet);
-  if (placed.held) add(TetId(placed.held->grab.tet));
+  if (placed.point) add(placed.point->tet);
   sort_unique(bodies);
   return bodies;
 }

@@ -15,22 +15,33 @@ namespace griffith {
 
 struct WorldState;
 
-/// Point of a grab, and its motion in the last substep.
-struct HeldPoint {
-  Grab grab;
-  Vec3 rest_position, position;  ///< [m]
-  Vec3 velocity;                 ///< mean [m/s]
-  double time = 0;               ///< time of `position` [s]
+/// Point of material on which a grab or a push acts.
+struct MaterialPoint {
+  TetId tet;           ///< tet with the point
+  Vec3 weights;        ///< barycentric weights of its corners 1 to 3
+  Vec3 rest_position;  ///< place in the undeformed body [m]
 };
 
-/// Load and the place where it acts: one of the three lists, depending on its kind, or the point of a grab, whose force
-/// follows from its spring (grab_force.h).
+/// Spring of a grab, and the motion of its point in the last substep.
+struct HeldSpring {
+  Vec3 target;  ///< [m]
+  GrabSpring constants;
+  Vec3 position;    ///< [m]
+  Vec3 velocity;    ///< mean [m/s]
+  double time = 0;  ///< time of `position` [s]
+};
+
+/// Load and the place where it acts: one of the three lists, depending on its kind, or a point of material. The force
+/// of a grab follows from its spring (grab_force.h).
 struct PlacedLoad {
   Load load;
   std::vector<TetCorner> corners;  ///< one a node: the force stays with this piece of material
   std::vector<SurfaceFace> faces;  ///< faces of the unbroken surface
   std::vector<TetId> tets;
-  std::optional<HeldPoint> held = {};
+  std::optional<MaterialPoint> point = {};
+  std::optional<HeldSpring> spring = {};  ///< present for a grab
+
+  bool is_push() const { return point && !spring; }
 };
 
 /// Moment, or interval between two moments [s].

@@ -19,9 +19,10 @@ double wave_speed(const WorldState& world, const Body& body) { return bar_wave_s
 /// Returns the approximate stress in a body under a full load [Pa].
 double stress_by(const WorldState& world, const PlacedLoad& placed, const Body& body) {
   const Load& load = placed.load;
+  const double points = placed.point ? 1 : static_cast<double>(placed.corners.size());
   switch (load.kind) {
     case LoadKind::point_force:
-      return load.force.norm() / (static_cast<double>(placed.corners.size()) * body.element_size * body.element_size);
+      return load.force.norm() / (points * body.element_size * body.element_size);
     case LoadKind::traction:
       return load.traction.norm();
     case LoadKind::pressure:
@@ -132,7 +133,7 @@ std::vector<QuickChange> quick_changes(const WorldState& world, const TimeSpan& 
   if (!anything_changes(world, span)) return {};
   Changes changes(world);
   for (const PlacedLoad& placed : world.loads)
-    if (!placed.held) add_changes(world, placed, changes);
+    if (!placed.spring) add_changes(world, placed, changes);
   for (const PlacedSupport& placed : world.supports) add_changes(world, placed, changes);
   return changes.quick(span);
 }

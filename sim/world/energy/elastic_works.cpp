@@ -18,7 +18,7 @@ using FourMatrices = simd::Matrix3<DoubleLanes>;
 
 /// Four tets side by side before they move.
 struct FourStarts {
-  FourMatrices frame, gradient;  ///< gradient: of the displacements
+  FourMatrices frame, gradient, deforming;  ///< gradients: of the displacements, and of those that deform the body
   simd::Symmetric3<DoubleLanes> stress, compaction;
   DoubleLanes volume, energy_density;
 };
@@ -51,27 +51,34 @@ DoubleLanes sum_of_products(const FourMatrices& a, const FourMatrices& b) {
 
 DoubleLanes trace_of(const FourMatrices& m) { return m.at[0][0] + (m.at[1][1] + m.at[2][2]); }
 
+/// Returns the gradients of the displacements at these velocities per node in `dt` [s].
+FourMatrices gradients_of(const WorldState& world, const std::array<TetId, 4>& tets,
+                          const std::vector<Vec3>& velocities, double dt) {
+  const auto lanes = [&](const auto& get) {
+    return DoubleLanes{get(tets[0]), get(tets[1]), get(tets[2]), get(tets[3])};
+  };
+  DoubleLanes ways[3][4], slopes[3][4];
+  for (int i = 0; i < 3; ++i)
+    for (int corner = 0; corner < 4; ++corner) {
+      ways[i][corner] = dt * lanes([&](TetId tet) { return velocities[world.mesh->tets[tet][corner]][i]; });
+      slopes[i][corner] =
+          lanes([&](TetId tet) { return world.elements.rest_elements[tet].shape_gradients(i, corner); });
+    }
+  return matrix_of([&](int i, int j) {
+    return (ways[i][0] * slopes[j][0] + ways[i][1] * slopes[j][1]) +
+           (ways[i][2] * slopes[j][2] + ways[i][3] * slopes[j][3]);
+  });
+}
+
 FourStarts starts_of(const WorldState& world, const std::array<TetId, 4>& tets, double dt) {
   const auto lanes = [&](const auto& get) {
     return DoubleLanes{get(tets[0]), get(tets[1]), get(tets[2]), get(tets[3])};
   };
   const auto state = [&](TetId tet) -> const ElementState& { return world.elements.states[tet]; };
-  const auto rest = [&](TetId tet) -> const RestElement& { return world.elements.rest_elements[tet]; };
-  const auto velocity = [&](TetId tet, int corner) -> const Vec3& {
-    return world.scratch.substep_start.solved_velocities[world.mesh->tets[tet][corner]];
-  };
-  DoubleLanes ways[3][4], slopes[3][4];
-  for (int i = 0; i < 3; ++i)
-    for (int corner = 0; corner < 4; ++corner) {
-      ways[i][corner] = dt * lanes([&](TetId tet) { return velocity(tet, corner)[i]; });
-      slopes[i][corner] = lanes([&](TetId tet) { return rest(tet).shape_gradients(i, corner); });
-    }
   FourStarts starts;
   starts.frame = matrix_of([&](int i, int j) { return lanes([&](TetId tet) { return state(tet).frame(i, j); }); });
-  starts.gradient = matrix_of([&](int i, int j) {
-    return (ways[i][0] * slopes[j][0] + ways[i][1] * slopes[j][1]) +
-           (ways[i][2] * slopes[j][2] + ways[i][3] * slopes[j][3]);
-  });
+  starts.gradient = gradients_of(world, tets, world.nodes.velocities, dt);
+  starts.deforming = gradients_of(world, tets, world.scratch.substep_start.deforming_velocities, dt);
   const auto symmetric = [&](SymmetricMat3 ElementState::*matrix) -> simd::Symmetric3<DoubleLanes> {
     const auto entry = [&](double SymmetricMat3::*of) {
       return lanes([&](TetId tet) { return state(tet).*matrix.*of; });
@@ -82,64 +89,85 @@ FourStarts starts_of(const WorldState& world, const std::array<TetId, 4>& tets, 
   starts.stress = symmetric(&ElementState::stress);
   starts.compaction = symmetric(&ElementState::compaction);
   starts.energy_density = lanes([&](TetId tet) { return state(tet).energy_density; });
-  starts.volume = lanes([&](TetId tet) { return rest(tet).volume; });
+  starts.volume = lanes([&](TetId tet) { return world.elements.rest_elements[tet].volume; });
   return starts;
 }
 
-/// Returns the change of the work against compaction per volume: tr(l)² + ½ |sym(l)|² of l = ∇u (B C)ᵀ
-/// (stiffness_row()).
+/// Returns the change of the work against compaction per volume: tr(a) tr(b) + ½ sym(a) : sym(b) with a and b = G (B
+/// C)ᵀ of both gradients G (stiffness_row()).
 DoubleLanes compaction_work(const FourStarts& starts) {
-  const auto &b = starts.frame.at, &g = starts.gradient.at;
+  const auto& b = starts.frame.at;
   const FourMatrices c = full(starts.compaction);
   const FourMatrices bc =
       matrix_of([&](int i, int j) { return b[i][0] * c.at[0][j] + (b[i][1] * c.at[1][j] + b[i][2] * c.at[2][j]); });
-  const auto rate = [&](int i, int j) {
-    return g[i][0] * bc.at[j][0] + (g[i][1] * bc.at[j][1] + g[i][2] * bc.at[j][2]);
+  const auto symmetric_of = [&](const FourMatrices& gradient) {
+    const auto& g = gradient.at;
+    const auto rate = [&](int i, int j) {
+      return g[i][0] * bc.at[j][0] + (g[i][1] * bc.at[j][1] + g[i][2] * bc.at[j][2]);
+    };
+    return matrix_of([&](int i, int j) { return 0.5 * (rate(i, j) + rate(j, i)); });
   };
-  const FourMatrices symmetric = matrix_of([&](int i, int j) { return 0.5 * (rate(i, j) + rate(j, i)); });
-  const DoubleLanes trace = trace_of(symmetric);
-  return trace * trace + 0.5 * sum_of_products(symmetric, symmetric);
+  const FourMatrices x = symmetric_of(starts.deforming), y = symmetric_of(starts.gradient);
+  return trace_of(x) * trace_of(y) + 0.5 * sum_of_products(x, y);
+}
+
+/// Returns the symmetric parts of Bᵀ G of a gradient G of displacements in the frame B.
+FourMatrices strain_of(const FourMatrices& frame, const FourMatrices& gradient) {
+  const auto &f = frame.at, &g = gradient.at;
+  const FourMatrices turned =
+      matrix_of([&](int i, int j) { return f[0][i] * g[0][j] + (f[1][i] * g[1][j] + f[2][i] * g[2][j]); });
+  return matrix_of([&](int i, int j) { return 0.5 * (turned.at[i][j] + turned.at[j][i]); });
 }
 
 FourWorks works_of(const ElasticLaw& law, const FourStarts& starts) {
   const FourMatrices stress = full(starts.stress);
-  const auto &f = starts.frame.at, &g = starts.gradient.at;
-  const FourMatrices turned =
-      matrix_of([&](int i, int j) { return f[0][i] * g[0][j] + (f[1][i] * g[1][j] + f[2][i] * g[2][j]); });
-  const FourMatrices strain = matrix_of([&](int i, int j) { return 0.5 * (turned.at[i][j] + turned.at[j][i]); });
-  const DoubleLanes trace = trace_of(strain);
+  const FourMatrices strain = strain_of(starts.frame, starts.gradient),
+                     deforming = strain_of(starts.frame, starts.deforming);
   FourWorks works;
-  works.first = starts.volume * sum_of_products(stress, strain);
-  works.change = starts.volume * (law.lambda * trace * trace + 2 * law.mu * sum_of_products(strain, strain));
+  works.first = starts.volume * sum_of_products(stress, deforming);
+  works.change = starts.volume * (law.lambda * trace_of(deforming) * trace_of(strain) +
+                                  2 * law.mu * sum_of_products(deforming, strain));
   if (law.compaction > 0) works.change += starts.volume * compaction_work(starts);
   works.energy_density = starts.energy_density;
   if (law.model == ElementModel::green_strain) {
-    const auto& t = full(simd::tensile_part(starts.stress)).at;
+    const auto &t = full(simd::tensile_part(starts.stress)).at, &g = starts.gradient.at;
     const FourMatrices carried =
         matrix_of([&](int i, int j) { return g[i][0] * t[0][j] + (g[i][1] * t[1][j] + g[i][2] * t[2][j]); });
-    works.change += starts.volume * sum_of_products(carried, starts.gradient);
+    works.change += starts.volume * sum_of_products(carried, starts.deforming);
   }
   return works;
 }
 
-/// Returns x·K x of a quadratic tet for the displacements x of its corners and `edges` of its offsets. With y_v,i = x_i
-/// + 4 w_vi, the displacements of a linear tet with the gradient at corner v, and K of the linear tet, it is (Σ_v y_v·K
-/// y_v + Σ y_v·K Σ y_v) / 20.
-double stiffness_product(const ElasticLaw& law, const RestElement& rest, const ElementState& mean, const Corners& x,
-                         const EdgeVectors& edges) {
-  std::array<Corners, 5> seen = {x, x, x, x, Corners::Zero()};
+/// Displacements of the corners and offsets of the edges of a quadratic tet [m].
+struct QuadraticWay {
+  Corners corners;
+  EdgeVectors edges;
+};
+
+/// Returns the displacements y_v of linear tets with the gradients at the corners v of a quadratic one, and their sum:
+/// y_v,i = x_i + 4 w_vi.
+std::array<Corners, 5> linear_ways(const QuadraticWay& way) {
+  const Corners& x = way.corners;
+  std::array<Corners, 5> ways = {x, x, x, x, Corners::Zero()};
   for (int edge = 0; edge < 6; ++edge) {
     const auto [i, j] = kTetEdges[edge];
-    seen[i].col(j) += 4 * edges.col(edge);
-    seen[j].col(i) += 4 * edges.col(edge);
+    ways[i].col(j) += 4 * way.edges.col(edge);
+    ways[j].col(i) += 4 * way.edges.col(edge);
   }
-  for (int v = 0; v < 4; ++v) seen[4] += seen[v];
+  for (int v = 0; v < 4; ++v) ways[4] += ways[v];
+  return ways;
+}
+
+/// Returns a·K b of a quadratic tet. With K of the linear tet, it is (Σ_v a_v·K b_v + Σ a_v·K Σ b_v) / 20.
+double stiffness_product(const ElasticLaw& law, const RestElement& rest, const ElementState& mean,
+                         const QuadraticWay& a, const QuadraticWay& b) {
+  const std::array<Corners, 5> first = linear_ways(a), second = linear_ways(b);
   double product = 0;
   for (int i = 0; i < 4; ++i) {
     const StiffnessRow row = stiffness_row(law, rest, mean, i);
     for (int j = 0; j < 4; ++j) {
       const Mat3 block = row.block(j);
-      for (const Corners& y : seen) product += y.col(i).dot(block * y.col(j));
+      for (int v = 0; v < 5; ++v) product += first[v].col(i).dot(block * second[v].col(j));
     }
   }
   return product / 20;
@@ -154,11 +182,15 @@ ElasticWorks quadratic_works(const WorldState& world, const Body& body, double d
     for (int i = begin; i < end; ++i) {
       const TetId tet = body.tets[i];
       const RestElement& rest = world.elements.rest_elements[tet];
-      const Corners way = dt * corners_of(world.mesh, tet, start.solved_velocities);
-      const EdgeVectors bending = dt * edges_of(world.tet_edges, tet, start.solved_edge_velocities);
+      const auto way_of = [&](const std::vector<Vec3>& nodes, const std::vector<Vec3>& edges) {
+        return QuadraticWay{dt * corners_of(world.mesh, tet, nodes), dt * edges_of(world.tet_edges, tet, edges)};
+      };
+      const QuadraticWay whole = way_of(world.nodes.velocities, world.edges.velocities);
+      const QuadraticWay deforming = way_of(start.deforming_velocities, start.deforming_edge_velocities);
       const QuadraticForces acting = quadratic_forces(rest, world.elements.quadratic_states[tet]);
-      first[i] = -acting.corners.cwiseProduct(way).sum() - acting.edges.cwiseProduct(bending).sum();
-      change[i] = stiffness_product(law, rest, world.elements.states[tet], way, bending);
+      first[i] =
+          -acting.corners.cwiseProduct(deforming.corners).sum() - acting.edges.cwiseProduct(deforming.edges).sum();
+      change[i] = stiffness_product(law, rest, world.elements.states[tet], deforming, whole);
     }
   });
   ElasticWorks sum;

@@ -6,11 +6,11 @@
 
 namespace griffith {
 
-/// Work of elastic forces on a body along the displacement by its solved velocities, as the linearized step predicts
-/// it.
+/// Work that a body's deformation by its velocities does against elastic forces, as the linearized step predicts it. Its
+/// motion as a whole changes these forces too, but follows from the balance of momentum alone.
 struct ElasticWorks {
   double first = 0;   ///< against the forces at the start [J]
-  double change = 0;  ///< work against their linearized change, all of it along the whole displacement [J]
+  double change = 0;  ///< against their linearized change by the displacement, all of it from the start on [J]
   std::vector<double> energy_densities;  ///< per tet of the body, before it moves [J/m³]
 };
 

@@ -16,7 +16,7 @@ constexpr std::array kEntries = {
                 &EnergyAccount::start},
     EnergyEntry{"gravity", "Gravity", "Work of gravity: the loss of potential energy.", put_in,
                 &EnergyAccount::gravity},
-    EnergyEntry{"loads", "Loads", "Work of loads and of the grab.", put_in, &EnergyAccount::loads},
+    EnergyEntry{"loads", "Loads", "Work of loads, grabs and pushes.", put_in, &EnergyAccount::loads},
     EnergyEntry{"supports", "Moving supports", "Work of moving supports.", put_in, &EnergyAccount::supports},
     EnergyEntry{"projectiles", "Projectiles", "Kinetic energy of projectiles at launch.", put_in,
                 &EnergyAccount::projectiles},

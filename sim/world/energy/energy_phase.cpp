@@ -252,43 +252,48 @@ double plastic_work(const WorldState& world, const Body& body, const BodySnapsho
 
 namespace {
 
-/// Pivot of a body's rotation in the implicit step, and its spin by momentum balance [rad/s].
-struct SpinInStep {
-  Vec3 place = Vec3::Zero(), spin = Vec3::Zero();
+/// Rotation of a body about its center of mass or a pivot.
+struct Turning {
+  Vec3 place = Vec3::Zero(), spin = Vec3::Zero();  ///< [m], [rad/s]
 };
 
-/// Returns no spin if supports prevent rotation.
-SpinInStep spin_in_step(const WorldState& world, const Body& body, const BodySnapshot& before,
-                        const std::vector<Vec3>& external, double dt) {
-  std::optional<Pivot> pivot;
-  if (body.supported()) {
-    pivot = pivot_of(world, body);
-    if (!pivot) return {};
-  }
+/// Returns the rotation of a body at the positions of `before` with these velocities of its nodes; none if supports
+/// prevent it.
+Turning turning_with(const WorldState& world, const Body& body, const std::optional<Pivot>& pivot,
+                     const BodySnapshot& before, const NodeVectors& velocities) {
+  if (body.supported() && !pivot) return {};
   const auto count = static_cast<Eigen::Index>(body.nodes.size());
-  NodeVectors positions(3, count), velocities(3, count);
+  NodeVectors positions(3, count);
   Eigen::VectorXd masses(count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const NodeId node = body.nodes[i];
-    masses[i] = world.nodes.masses[node];
     positions.col(i) = before.positions[i];
-    velocities.col(i) = world.scratch.substep_start.velocities[node] + dt / masses[i] * external[node];
+    masses[i] = world.nodes.masses[body.nodes[i]];
   }
-  velocities /= 1 + dt * world.material_of(body).mass_damping;
   if (pivot) return {pivot->place, turning_about(*pivot, positions, velocities, masses).spin};
   const RigidMotion motion = rigid_motion(positions, velocities, masses);
   return {motion.center, motion.angular_velocity};
 }
 
 /// Returns the work of the centrifugal impulses of the implicit step [J]. The step deforms the body in axes that rotate
-/// with it; the rotation takes the work back from the spin (ElasticSystem::solve()).
+/// with it by momentum balance before contacts; these impulses do not act on the rotation (ElasticSystem::solve()).
 double centrifugal_work(const WorldState& world, const Body& body, const BodySnapshot& before,
                         const std::vector<Vec3>& external, double dt) {
-  const auto [place, spin] = spin_in_step(world, body, before, external, dt);
+  const std::optional<Pivot> pivot = body.supported() ? pivot_of(world, body) : std::nullopt;
+  const auto count = static_cast<Eigen::Index>(body.nodes.size());
+  NodeVectors balanced(3, count), moved(3, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const NodeId node = body.nodes[i];
+    balanced.col(i) = world.scratch.substep_start.velocities[node] + dt / world.nodes.masses[node] * external[node];
+    moved.col(i) = before.velocities[i];
+  }
+  balanced /= 1 + dt * world.material_of(body).mass_damping;
+  const auto [place, spin] = turning_with(world, body, pivot, before, balanced);
+  const Vec3 spin_after = turning_with(world, body, pivot, before, moved).spin;
   double work = 0;
-  for (std::size_t i = 0; i < body.nodes.size(); ++i) {
+  for (Eigen::Index i = 0; i < count; ++i) {
     const Vec3 arm = before.positions[i] - place;
-    work += dt * world.nodes.masses[body.nodes[i]] * spin.cross(arm.cross(spin)).dot(before.velocities[i]);
+    const Vec3 impulse = dt * world.nodes.masses[body.nodes[i]] * spin.cross(arm.cross(spin));
+    work += impulse.dot(moved.col(i) - spin_after.cross(arm));
   }
   return work;
 }
@@ -352,13 +357,15 @@ EnergyAccount spent_in_rigid_move(const WorldState& world, const Body& body, con
 }
 
 ObstacleAccount::Kept ObstacleAccount::kept_by(const WorldState& world, const explicit_dynamics::Obstacle& obstacle) {
-  if (!obstacle.object.valid() || obstacle.inverse_mass == 0) return {};
-  const BodyId id = world.body_of(obstacle.object);
-  if (id.valid()) return {energy_of(world, world.bodies[id]), world.bodies[id].motion.center};
+  if (!obstacle.object.valid() || !obstacle.is_movable()) return {};
+  if (const BodyId id = world.body_of(obstacle.object); id.valid()) {
+    const Body& body = world.bodies[id];
+    return {energy_of(world, body), body.motion.mass, body.motion.center};
+  }
   for (const Projectile& projectile : world.projectiles)
     if (projectile.object == obstacle.object) {
       const RigidState state = world.contact_world.state(projectile.object);
-      return {kinetic_energy(projectile, state), state.pose.translation};
+      return {kinetic_energy(projectile, state), projectile.mass, state.pose.translation};
     }
   return {};
 }
@@ -369,11 +376,10 @@ ObstacleAccount::ObstacleAccount(const WorldState& world, std::span<const explic
 
 void ObstacleAccount::record(WorldState& world, std::span<const explicit_dynamics::Obstacle> obstacles) const {
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
-    if (obstacles[i].inverse_mass == 0 || !std::isfinite(obstacles[i].energy_gained)) continue;
+    if (!obstacles[i].is_movable() || !std::isfinite(obstacles[i].energy_gained)) continue;
     const Kept after = kept_by(world, obstacles[i]);
     world.energy.regime_change += before_[i].energy + obstacles[i].energy_gained - after.energy;
-    world.energy.time_integration +=
-        world.model->scene.gravity.dot(after.center - before_[i].center) / obstacles[i].inverse_mass;
+    world.energy.time_integration += after.mass * world.model->scene.gravity.dot(after.center - before_[i].center);
   }
 }
 

@@ -80,8 +80,8 @@ class ObstacleAccount {
 
  private:
   struct Kept {
-    double energy = 0;
-    Vec3 center = Vec3::Zero();
+    double energy = 0, mass = 0;  ///< [J], [kg]
+    Vec3 center = Vec3::Zero();   ///< [m]
   };
   static Kept kept_by(const WorldState& world, const explicit_dynamics::Obstacle& obstacle);
   std::vector<Kept> before_;

@@ -4,9 +4,12 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <limits>
+#include <optional>
 
+#include "sim/core/rotation.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/motion/elastic_phase.h"
+#include "sim/world/motion/turning.h"
 #include "sim/world/regime/regime_change.h"
 
 namespace griffith {
@@ -19,6 +22,14 @@ Eigen::AlignedBox3d reach_of(const WorldState& world, const Body& body, double d
     box.extend(world.nodes.positions[node] + duration * world.nodes.velocities[node]);
   }
   return box;
+}
+
+/// Returns the collision parts of a body about the origin of an obstacle's frame, in which it has this `center` [m].
+std::vector<ConvexPart> parts_about_origin(const Body& body, const Vec3& center) {
+  std::vector<ConvexPart> parts = body.collision_parts;
+  for (ConvexPart& part : parts)
+    for (Vec3& corner : part) corner += center;
+  return parts;
 }
 
 std::vector<explicit_dynamics::ConvexSolid> solids_of(const std::vector<ConvexPart>& parts, double spacing) {
@@ -39,9 +50,9 @@ struct Surroundings {
   }
 };
 
-double radius_of(const Body& body) {
+double radius_of(const std::vector<ConvexPart>& parts) {
   double radius = 0;
-  for (const ConvexPart& part : body.collision_parts)
+  for (const ConvexPart& part : parts)
     for (const Vec3& corner : part) radius = std::max(radius, corner.norm());
   return radius;
 }
@@ -60,23 +71,21 @@ void add_bodies(const WorldState& world, const Surroundings& near, double durati
   for (const Body& body : world.bodies) {
     if (body.explicit_state || near.own[body.scene_body])
       continue;  // pieces of one body touch as rigid ones afterwards
-    const double radius = radius_of(body),
+    const double radius = radius_of(body.collision_parts),
                  speed = body.motion.velocity.norm() + radius * body.motion.angular_velocity.norm();
     if (near.may_meet(body.motion.center, radius + duration * speed))
       obstacles.push_back(obstacle_of(world, body, near.element_size));
   }
 }
 
-/// Moves and rotates a deformable body as a whole to the place to which the microsteps have brought its proxy.
-void carry_nodes(WorldState& world, Body& body, const RigidState& state) {
-  const Mat3 turn = (state.pose.rotation * body.orientation.conjugate()).toRotationMatrix();
-  const RigidMotion before = body.motion;
-  const Vec3 velocity = state.velocity - before.velocity, spin = state.angular_velocity - before.angular_velocity;
+/// Moves and rotates a deformable body as a whole by `turn`, from a state of its motion to another.
+void carry_nodes(WorldState& world, Body& body, const Mat3& turn, const RigidState& before, const RigidState& after) {
+  const Vec3 velocity = after.velocity - before.velocity, spin = after.angular_velocity - before.angular_velocity;
   for (const NodeId node : body.nodes) {
-    const Vec3 arm = world.nodes.positions[node] - before.center;
+    const Vec3 arm = world.nodes.positions[node] - before.pose.translation;
     world.nodes.velocities[node] += velocity + spin.cross(arm);
-    world.nodes.positions[node] = state.pose.translation + turn * arm;
-    world.nodes.velocities[node] = turn * (world.nodes.velocities[node] - state.velocity) + state.velocity;
+    world.nodes.positions[node] = after.pose.translation + turn * arm;
+    world.nodes.velocities[node] = turn * (world.nodes.velocities[node] - after.velocity) + after.velocity;
   }
   for (const EdgeId edge : body.edges) {
     Vec3 &offset = world.edges.offsets[edge], &bending = world.edges.velocities[edge];
@@ -85,6 +94,32 @@ void carry_nodes(WorldState& world, Body& body, const RigidState& state) {
   }
   update_elements(world, body);
   update_motion(world, body);
+}
+
+/// Returns the pivot about which contacts can swing a body.
+std::optional<Pivot> swinging_pivot_of(const WorldState& world, const Body& body) {
+  if (!body.supported() || !body.is_deformable()) return std::nullopt;
+  return pivot_of(world, body);
+}
+
+/// Lets an obstacle swing about the pivot of its body.
+void set_pivot(const WorldState& world, const Body& body, const Pivot& pivot, explicit_dynamics::Obstacle& obstacle) {
+  const Turning turning = turning_of(world, body, pivot);
+  const Pivot::Axes axes = body.orientation.conjugate().toRotationMatrix() * pivot.axes;
+  const Eigen::MatrixXd inertia = pivot.axes.transpose() * turning.inertia * pivot.axes;
+  obstacle.state = {{pivot.place, body.orientation}, Vec3::Zero(), turning.spin};
+  obstacle.center = obstacle.state.pose.to_local(body.motion.center);
+  obstacle.inverse_inertia = axes * inertia.inverse() * axes.transpose();
+}
+
+/// Swings a body about its pivot to the state of its obstacle.
+void swing_body(WorldState& world, Body& body, const RigidState& state) {
+  const std::optional<Pivot> pivot = swinging_pivot_of(world, body);
+  if (!pivot) return;
+  const Eigen::AngleAxisd turned(state.pose.rotation * body.orientation.conjugate());
+  const Vec3 about_axes = pivot->axes * (pivot->axes.transpose() * (turned.angle() * turned.axis()));
+  const RigidState before{{pivot->place, body.orientation}, Vec3::Zero(), turning_of(world, body, *pivot).spin};
+  carry_nodes(world, body, rotation_by(about_axes).toRotationMatrix(), before, state);
 }
 
 }  // namespace
@@ -130,29 +165,32 @@ explicit_dynamics::Obstacle obstacle_of(const WorldState& world, const Projectil
 explicit_dynamics::Obstacle obstacle_of(const WorldState& world, const Body& body, double spacing) {
   explicit_dynamics::Obstacle obstacle;
   obstacle.object = body.proxy;
-  obstacle.radius = radius_of(body);
-  obstacle.state = {{body.motion.center, body.orientation}, body.motion.velocity, body.motion.angular_velocity};
-  obstacle.solids = solids_of(body.collision_parts, spacing);
+  obstacle.friction = world.material_of(body).friction;
+  obstacle.state = proxy_state(body);
   if (!body.supported()) {
     obstacle.inverse_mass = 1 / body.motion.mass;
     const Mat3 back = body.orientation.conjugate().toRotationMatrix();
     obstacle.inverse_inertia = back * body.motion.inertia.inverse() * back.transpose();
-  } else {
-    obstacle.state.velocity = obstacle.state.angular_velocity = Vec3::Zero();
+  } else if (const std::optional<Pivot> pivot = swinging_pivot_of(world, body)) {
+    set_pivot(world, body, *pivot, obstacle);
   }
-  obstacle.friction = world.material_of(body).friction;
+  const std::vector<ConvexPart> parts = parts_about_origin(body, obstacle.center);
+  obstacle.radius = radius_of(parts);
+  obstacle.solids = solids_of(parts, spacing);
   return obstacle;
 }
 
 void read_back_velocities(const WorldState& world, std::vector<explicit_dynamics::Obstacle>& obstacles) {
   for (explicit_dynamics::Obstacle& obstacle : obstacles) {
-    if (!obstacle.object.valid() || obstacle.inverse_mass == 0) continue;
+    if (!obstacle.object.valid() || !obstacle.is_movable()) continue;
     const BodyId id = world.body_of(obstacle.object);
     if (!id.valid()) {
       const RigidState state = world.contact_world.state(obstacle.object);
       obstacle.state.velocity = state.velocity;
       obstacle.state.angular_velocity = state.angular_velocity;
-    } else {
+    } else if (const std::optional<Pivot> pivot = swinging_pivot_of(world, world.bodies[id])) {
+      obstacle.state.angular_velocity = turning_of(world, world.bodies[id], *pivot).spin;
+    } else if (!world.bodies[id].supported()) {
       obstacle.state.velocity = world.bodies[id].motion.velocity;
       obstacle.state.angular_velocity = world.bodies[id].motion.angular_velocity;
     }
@@ -160,8 +198,12 @@ void read_back_velocities(const WorldState& world, std::vector<explicit_dynamics
 }
 
 void place_body(WorldState& world, Body& body, const RigidState& state) {
-  if (!body.rigid) return carry_nodes(world, body, state);
   const Mat3 turn = (state.pose.rotation * body.orientation.conjugate()).toRotationMatrix();
+  const RigidMotion& motion = body.motion;
+  if (!body.rigid) {
+    const RigidState before{{motion.center, body.orientation}, motion.velocity, motion.angular_velocity};
+    return carry_nodes(world, body, turn, before, state);
+  }
   body.motion.center = state.pose.translation;
   body.motion.inertia = turn * body.motion.inertia * turn.transpose();
   body.motion.velocity = state.velocity;
@@ -172,10 +214,12 @@ void place_body(WorldState& world, Body& body, const RigidState& state) {
 
 void place_obstacle(WorldState& world, const explicit_dynamics::Obstacle& obstacle) {
   const RigidState& state = obstacle.state;
-  if (!obstacle.object.valid() || obstacle.inverse_mass == 0) return;
+  if (!obstacle.object.valid() || !obstacle.is_movable()) return;
   if (!state.pose.translation.allFinite() || !state.velocity.allFinite() || !state.angular_velocity.allFinite()) return;
+  const BodyId id = world.body_of(obstacle.object);
+  if (obstacle.inverse_mass == 0) return swing_body(world, world.bodies[id], state);
   world.contact_world.set_state(obstacle.object, state);
-  if (const BodyId id = world.body_of(obstacle.object); id.valid()) place_body(world, world.bodies[id], state);
+  if (id.valid()) place_body(world, world.bodies[id], state);
 }
 
 }  // namespace griffith

@@ -85,21 +85,21 @@ void follow_all(std::vector<TetCorner>& corners, const Subdivision& subdivision,
   for (const auto& [tet, corner] : places) corners.push_back({tet, corner});
 }
 
-/// Updates a grab in a tet that is now several: the point is in the one that leaves it most room.
-void follow_held(const WorldState& world, const Subdivision& subdivision, HeldPoint& held) {
-  std::vector<TetId> parts = {TetId(held.grab.tet)};
+/// Updates a point in a tet that is now several: it is in the one that leaves it most room.
+void follow_point(const WorldState& world, const Subdivision& subdivision, MaterialPoint& point) {
+  std::vector<TetId> parts = {point.tet};
   for (const TetBisection& halves : subdivision.tets)
     if (std::ranges::find(parts, halves.tet) != parts.end()) parts.push_back(halves.child);
   if (parts.size() == 1) return;
   double most = -std::numeric_limits<double>::infinity();
   for (const TetId tet : parts) {
-    const Vec3 arm = held.rest_position - world.mesh->rest_positions[world.mesh->tets[tet][0]];
+    const Vec3 arm = point.rest_position - world.mesh->rest_positions[world.mesh->tets[tet][0]];
     const Vec3 weights = world.elements.rest_elements[tet].shape_gradients.rightCols<3>().transpose() * arm;
     const double room = std::min(weights.minCoeff(), 1 - weights.sum());
     if (room <= most) continue;
     most = room;
-    held.grab.tet = tet.index();
-    held.grab.weights = weights;
+    point.tet = tet;
+    point.weights = weights;
   }
 }
 
@@ -126,7 +126,7 @@ void follow_places(WorldState& world, const Subdivision& subdivision) {
   for (PlacedSupport& placed : world.supports) follow_all(placed.corners, subdivision, follow_region);
   for (PlacedLoad& placed : world.loads) {
     follow_load(placed, subdivision);
-    if (placed.held) follow_held(world, subdivision, *placed.held);
+    if (placed.point) follow_point(world, subdivision, *placed.point);
   }
   for (PlacedProbe& placed : world.probes)
     for (ProbedNode& probed : placed.nodes) follow_probe(probed, subdivision);

@@ -195,7 +195,7 @@ void Trial::add_obstacle(ProxyId object, double flight, std::vector<explicit_dyn
   if (world_.contact_world.is_ground(object)) return add_ground(world_, obstacles);
   if (const BodyId id = world_.body_of(object); id.valid()) {
     obstacles.push_back(obstacle_of(world_, world_.bodies[id], spacing()));
-    obstacles.back().state = flown(world_.bodies[id], flight);
+    if (!world_.bodies[id].supported()) obstacles.back().state = flown(world_.bodies[id], flight);
     return;
   }
   for (const Projectile& projectile : world_.projectiles) {

@@ -149,15 +149,13 @@ ElasticMove move_elastic(WorldState& world, Body& body, const BodySnapshot& befo
   return move_nonlinearly(world, body, before, external, dt) ? ElasticMove::nonlinear : ElasticMove::unconverged;
 }
 
-/// Takes its motion as a whole out of the velocities over which elastic forces work, for Green's strain: stress resists
-/// turns in its linearized system, but the step lets the body turn by its momentum alone.
+/// Takes the motion of a body as a whole out of its deforming velocities.
 void leave_deforming_velocities(WorldState& world, const Body& body) {
-  if (world.material_of(body).element_model != ElementModel::green_strain) return;
   const std::optional<FreeMotion> motion = free_motion_of(world, body);
   if (!motion) return;
   SubstepStart& start = world.scratch.substep_start;
-  for (NodeId node : body.nodes) start.solved_velocities[node] -= motion->velocity_at(world.nodes.positions[node]);
-  for (EdgeId edge : body.edges) start.solved_edge_velocities[edge] -= motion->spin.cross(world.edges.offsets[edge]);
+  for (NodeId node : body.nodes) start.deforming_velocities[node] -= motion->velocity_at(world.nodes.positions[node]);
+  for (EdgeId edge : body.edges) start.deforming_edge_velocities[edge] -= motion->spin.cross(world.edges.offsets[edge]);
 }
 
 }  // namespace
@@ -240,8 +238,8 @@ void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>&
 }
 
 void move_bodies(WorldState& world, const std::vector<Vec3>& external, std::vector<ElasticMove> moves, double dt) {
-  world.scratch.substep_start.solved_velocities = world.nodes.velocities;
-  world.scratch.substep_start.solved_edge_velocities = world.edges.velocities;
+  world.scratch.substep_start.deforming_velocities = world.nodes.velocities;
+  world.scratch.substep_start.deforming_edge_velocities = world.edges.velocities;
   std::vector<EnergyAccount> spent(world.bodies.size());
   parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {

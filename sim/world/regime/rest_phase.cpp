@@ -90,7 +90,7 @@ std::vector<bool> driven_bodies(const WorldState& world) {
     for (const TetCorner& corner : placed.corners) mark(corner.tet);
     for (const SurfaceFace& face : placed.faces) mark(face.tet);
     for (const TetId tet : placed.tets) mark(tet);
-    if (placed.held) mark(TetId(placed.held->grab.tet));
+    if (placed.point) mark(placed.point->tet);
   }
   for (const PlacedSupport& placed : world.supports)
     if (!placed.support.velocity.isZero(0))

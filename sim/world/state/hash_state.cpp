@@ -111,18 +111,19 @@ void add_body(const Body& body, FieldHash& hash) {
                   explicit_state->similarity);
 }
 
-void add_grab(const PlacedLoad& placed, FieldHash& hash) {
-  const HeldPoint& held = *placed.held;
-  const GrabSpring& spring = held.grab.spring;
-  hash.add_whole(held.grab.tet).add_real(held.grab.weights, held.grab.target, placed.load.force);
-  hash.add_real(held.position, held.velocity, held.time, spring.frequency, spring.damping_ratio, spring.strength);
+/// Adds a grab or a push.
+void add_input(const PlacedLoad& placed, FieldHash& hash) {
+  hash.add_whole(placed.point->tet).add_real(placed.point->weights, placed.load.force, placed.load.start);
+  if (!placed.spring) return;
+  const auto& [target, spring, position, velocity, time] = *placed.spring;
+  hash.add_real(target, position, velocity, time, spring.frequency, spring.damping_ratio, spring.strength);
 }
 
 std::uint64_t hash_of_bodies(const WorldState& world) {
   FieldHash hash;
   for (const Body& body : world.bodies) add_body(body, hash);
   for (const PlacedLoad& placed : world.loads)
-    if (placed.held) add_grab(placed, hash);
+    if (placed.point) add_input(placed, hash);
   hash.add(world.nodes.similarity_starts).add_real(world.last_microstep_work, world.explicit_overhead);
   return hash.value();
 }

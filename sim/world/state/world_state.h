@@ -133,10 +133,10 @@ struct BodyStep {
 
 /// Velocities and places at the start of a substep, for the energy account.
 struct SubstepStart {
-  std::vector<Vec3> velocities;                               ///< per node [m/s]
-  std::vector<Vec3> solved_velocities;                        ///< per node, after contacts and before bodies move [m/s]
-  std::vector<Vec3> edge_velocities, solved_edge_velocities;  ///< the same per edge [m/s]
-  std::vector<RigidState> projectiles;                        ///< per projectile
+  std::vector<Vec3> velocities;            ///< per node [m/s]
+  std::vector<Vec3> deforming_velocities;  ///< per node, after contacts, without the body's motion as a whole [m/s]
+  std::vector<Vec3> edge_velocities, deforming_edge_velocities;  ///< the same per edge [m/s]
+  std::vector<RigidState> projectiles;                           ///< per projectile
 };
 
 /// Temporary data of a step.

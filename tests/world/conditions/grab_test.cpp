@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <cmath>
 #include <numbers>
 
@@ -14,6 +13,7 @@
 #include "sim/world/step.h"
 #include "sim/world/world.h"
 #include "tests/input_error_of.h"
+#include "tests/world/held_scenes.h"
 #include "tests/world/scenes.h"
 
 namespace griffith::testing {
@@ -23,34 +23,8 @@ constexpr double kGravity = 9.80665;
 
 /// Returns a grab of the material at `place` [m], or of the nearest material, pulled to `target`.
 Grab grab_at(const Frame& frame, const Vec3& place, const Vec3& target, const GrabSpring& spring = {}) {
-  Grab best;
-  double closest = -1e9;
-  for (std::size_t i = 0; i < frame.elements.tets.size(); ++i) {
-    const auto at = [&](int corner) { return frame.nodes.positions[frame.elements.tets[i][corner]]; };
-    Mat3 edges;
-    for (int corner = 1; corner < 4; ++corner) edges.col(corner - 1) = at(corner) - at(0);
-    const Vec3 weights = edges.inverse() * (place - at(0));
-    const double inside = std::min(weights.minCoeff(), 1 - weights.sum());
-    if (inside <= closest) continue;
-    closest = inside;
-    const Vec3 kept = weights.cwiseMax(0);
-    best = {static_cast<int>(i), kept / std::max(1.0, kept.sum()), target, spring};
-  }
-  return best;
-}
-
-/// A free block of 0.4 m in empty space, of one cell (five tets; the middle one has its center) or more.
-Scene floating_block(int cells = 1, double young_modulus = 1e9) {
-  Scene scene;
-  scene.gravity.setZero();
-  scene.ground.reset();
-  scene.simulation.fracture = false;
-  BodyDescription block;
-  block.shape = BoxShape{Vec3::Constant(0.4), Vec3::Constant(0.4 / cells), BoxPattern::five_tet};
-  block.position = Vec3(0, 2, 0);
-  block.material.young_modulus = young_modulus;
-  scene.bodies = {block};
-  return scene;
+  const auto [tet, weights] = place_at(frame, place);
+  return {tet, weights, target, spring};
 }
 
 /// Returns the largest distance of a grabbed block from the closed form over a second, as a fraction of its way: a
@@ -199,19 +173,6 @@ TEST(Grab, TheEnergyAccountClosesWithTheWorkOfTheForce) {
   }
 }
 
-/// Two stones that lie on one another on the ground.
-Scene stack() {
-  Scene scene = floating_block(2, 1e9);
-  scene.simulation.time_step = 1.0 / 60;
-  scene.gravity = Vec3(0, -kGravity, 0);
-  scene.ground = Ground{};
-  scene.bodies[0].position.y() = 0.2;
-  scene.bodies.push_back(scene.bodies[0]);
-  scene.bodies[1].name = "upper";
-  scene.bodies[1].position.y() = 0.6;
-  return scene;
-}
-
 TEST(Grab, WakesAPieceAndKeepsItAwakeUntilItIsReleased) {
   World world(stack());
   const auto asleep = [&] { return world.frame().bodies[1].asleep; };
@@ -272,11 +233,11 @@ TEST(Grab, IsPartOfTheStateAndOfItsHash) {
   EXPECT_EQ(world.state_hashes(), copy.state_hashes());
 }
 
-/// Returns the place of a grab's point in the undeformed body [m].
-Vec3 rest_place(const WorldState& world, const Grab& grab) {
-  const auto at = [&](int corner) { return world.mesh->rest_positions[world.mesh->tets[TetId(grab.tet)][corner]]; };
-  Vec3 place = (1 - grab.weights.sum()) * at(0);
-  for (int i = 0; i < 3; ++i) place += grab.weights[i] * at(i + 1);
+/// Returns the place of a point in the undeformed body [m].
+Vec3 rest_place(const WorldState& world, const MaterialPoint& point) {
+  const auto at = [&](int corner) { return world.mesh->rest_positions[world.mesh->tets[point.tet][corner]]; };
+  Vec3 place = (1 - point.weights.sum()) * at(0);
+  for (int i = 0; i < 3; ++i) place += point.weights[i] * at(i + 1);
   return place;
 }
 
@@ -291,10 +252,10 @@ TEST(Grab, StaysWithItsMaterialThroughCuts) {
     const Grab grab = grab_at(view.frame(), place, place);
     begin_grab(run, grab);
     for (int i = 0; i < 60; ++i) advance(run);
-    const Grab& now = run.loads.back().held->grab;
+    const MaterialPoint& now = *run.loads.back().point;
     EXPECT_LT((rest_place(run, now) - place).norm(), 1e-9);
     EXPECT_GE(std::min(now.weights.minCoeff(), 1 - now.weights.sum()), -1e-6);
-    cut += now.tet != grab.tet || now.weights != grab.weights;
+    cut += now.tet.index() != grab.tet || now.weights != grab.weights;
   }
   EXPECT_GT(cut, 0) << "a cut went through a grabbed tet";
 }

@@ -24,7 +24,7 @@ WorldState moving_block(ElementModel model) {
   testing::RandomValues random(4);
   for (Vec3& position : world.nodes.positions) position += random.vector(1e-3);
   for (Vec3& velocity : world.nodes.velocities) velocity = random.vector(1e-5);
-  world.scratch.substep_start.solved_velocities = world.nodes.velocities;
+  world.scratch.substep_start.deforming_velocities = world.nodes.velocities;
   update_elements(world);
   return world;
 }
@@ -55,6 +55,18 @@ TEST_P(ElasticWorksTest, ChangeByTheSystemsStiffness) {
   const ElasticWorks works = elastic_works(world, body, kStep);
   EXPECT_NEAR(works.change, dot(way, forces), 1e-9 * works.change);
   EXPECT_GT(works.change, 0);
+}
+
+/// What moves a body as a whole changes the forces, but does no work.
+TEST_P(ElasticWorksTest, ChangeOverWhatDeformsAlone) {
+  WorldState world = moving_block(GetParam());
+  const Body& body = world.bodies[0];
+  const ElasticWorks still = elastic_works(world, body, kStep);
+  std::vector<Vec3>& deforming = world.scratch.substep_start.deforming_velocities;
+  for (const NodeId node : body.nodes) deforming[node] *= 0.25;
+  const ElasticWorks works = elastic_works(world, body, kStep);
+  EXPECT_NEAR(works.first, 0.25 * still.first, 1e-12 * std::abs(still.first));
+  EXPECT_NEAR(works.change, 0.25 * still.change, 1e-12 * still.change);
 }
 
 TEST_P(ElasticWorksTest, NothingIsStoredByWhatDoesNotMove) {

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -22,14 +21,6 @@ int steps_of(const std::string& scene) {
   return shatters_early ? 16 : 48;
 }
 
-/// Shattered bodies of quadratic elements close less well (docs/fracture.md, "Where the energy goes").
-double tolerance_of(const Frame& frame) {
-  constexpr double kShattered = 0.05;
-  const bool is_quadratic = std::ranges::any_of(
-      frame.element_choices, [](const ElementChoice& choice) { return choice.order == ElementOrder::quadratic; });
-  return is_quadratic ? kShattered : kTolerance;
-}
-
 TEST(EnergyAccount, EverySceneCloses) {
   int scenes = 0, cracked = 0;
   for (const auto& file : std::filesystem::directory_iterator(GRIFFITH_SOURCE_DIR "/scenes")) {
@@ -43,7 +34,7 @@ TEST(EnergyAccount, EverySceneCloses) {
       for (int i = 0; i < steps; ++i) world.step();
       const Frame frame = world.frame();
       EXPECT_GT(frame.energy.turned_over(), 0) << file.path();
-      EXPECT_LT(testing::fraction_unaccounted(frame.energy), tolerance_of(frame)) << file.path();
+      EXPECT_LT(testing::fraction_unaccounted(frame.energy), kTolerance) << file.path();
       // Implicit steps take from one of these what they give to the other; overlaps of bodies at rest go at some work.
       constexpr double kOverlaps = 0.1;  // [J]
       EXPECT_GT(frame.energy.contacts + frame.energy.time_integration,
