@@ -63,6 +63,12 @@ struct Symmetric3 {
     return {lane_of(xx, lane), lane_of(yy, lane), lane_of(zz, lane),
             lane_of(xy, lane), lane_of(xz, lane), lane_of(yz, lane)};
   }
+  /// Adds a symmetric matrix to one lane.
+  void add(int lane, const Mat3& m) {
+    set_lane(xx, lane, lane_of(xx, lane) + m(0, 0)), set_lane(yy, lane, lane_of(yy, lane) + m(1, 1));
+    set_lane(zz, lane, lane_of(zz, lane) + m(2, 2)), set_lane(xy, lane, lane_of(xy, lane) + m(0, 1));
+    set_lane(xz, lane, lane_of(xz, lane) + m(0, 2)), set_lane(yz, lane, lane_of(yz, lane) + m(1, 2));
+  }
 };
 
 /// Returns the upper triangle of a symmetric matrix.

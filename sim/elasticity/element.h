@@ -29,6 +29,7 @@ double mean_element_size(std::span<const RestElement> elements, std::span<const 
 struct ElasticLaw {
   ElementModel model = ElementModel::corotational;
   double lambda = 0, mu = 0;  ///< [Pa]
+  double compaction = 0;      ///< modulus against loss of volume (compaction.h) [Pa]; 0: not resisted
 
   bool operator==(const ElasticLaw&) const = default;
 };
@@ -60,8 +61,11 @@ struct ElementState {
   Mat3 tensile_traction = Mat3::Zero();  ///< B sigma⁺ with the tensile_part() sigma⁺ of the stress [Pa]
   SymmetricMat3 tension;                 ///< tensile part as Cauchy stress in the world frame [Pa]
   double tension_norm = 0;               ///< Frobenius norm of `tension` [Pa]
-  double energy_density = 0;             ///< ½ sigma : epsilon per rest volume [J/m³]
+  SymmetricMat3 compaction;              ///< Compaction::gradient [√Pa]
+  double energy_density = 0;             ///< ½ sigma : epsilon per rest volume, and that of compaction [J/m³]
   bool inverted = false;
+
+  bool is_compacted() const { return compaction.xx != 0; }
 };
 
 /// Returns the state of sigma = lambda tr(epsilon_e) I + 2 mu epsilon_e for the elastic strain epsilon_e = epsilon −

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/elasticity/compaction.h"
 #include "sim/elasticity/eigenvalues.h"
 #include "sim/elasticity/element.h"
 #include "sim/elasticity/rotation_kernel.h"
@@ -25,6 +26,7 @@ struct State {
   Symmetric3<Real> stress;
   Matrix3<Real> tensile_traction;
   Symmetric3<Real> tension, cauchy_stress;
+  Symmetric3<Real> compaction = {};
   Real tension_norm, energy_density;
   decltype(Real{} > Real{}) inverted;
 
@@ -34,6 +36,7 @@ struct State {
             tensile_traction.of(lane),
             tension.of(lane),
             lane_of(tension_norm, lane),
+            compaction.of(lane),
             lane_of(energy_density, lane),
             lane_of(inverted, lane)};
   }
@@ -82,6 +85,18 @@ Symmetric3<Real> pushed_forward(const Matrix3<Real>& traction, const Matrix3<Rea
   return (1.0 / bounded) * times_transposed(traction, frame);
 }
 
+/// Adds what resists the compaction of each lane.
+template <class Real>
+void add_compaction(const ElasticLaw& law, const Deformation<Real>& deformation, State<Real>& state) {
+  for (int lane = 0; lane < kLanesOf<Real>; ++lane) {
+    const Compaction found = compaction_of(law, deformation.strain.of(lane), lane_of(deformation.inverted, lane));
+    if (found.energy_density == 0) continue;
+    state.stress.add(lane, found.stress);
+    state.compaction.add(lane, found.gradient);
+    set_lane(state.energy_density, lane, lane_of(state.energy_density, lane) + found.energy_density);
+  }
+}
+
 template <class Real>
 State<Real> state_of(const ElasticLaw& law, const Deformation<Real>& deformation,
                      const Symmetric3<Real>& stress_free_strain) {
@@ -90,12 +105,13 @@ State<Real> state_of(const ElasticLaw& law, const Deformation<Real>& deformation
   State<Real> state;
   state.frame = deformation.frame;
   state.stress = add_to_diagonal((zero + 2 * law.mu) * strain, law.lambda * strain.trace());
+  state.energy_density = 0.5 * contract(state.stress, strain);
+  if (law.compaction > 0) add_compaction(law, deformation, state);
   state.tensile_traction = state.frame * tensile_part(state.stress);
   const Real volume_ratio = determinant(state.frame, cofactor(state.frame));
   state.tension = pushed_forward(state.tensile_traction, state.frame, volume_ratio);
   state.cauchy_stress = pushed_forward(state.frame * state.stress, state.frame, volume_ratio);
   state.tension_norm = root(state.tension.squared_norm());
-  state.energy_density = 0.5 * contract(state.stress, strain);
   state.inverted = deformation.inverted;
   return state;
 }

@@ -22,6 +22,18 @@ void add_green_terms(const ElasticLaw& law, const RestElement& rest, const Eleme
   }
 }
 
+/// Adds the terms of an element that resists compaction, with b_i = B C g_i: V [ b_i b_jᵀ + ¼ (b_j b_iᵀ + (b_i·b_j) I)
+/// ].
+void add_compaction(const RestElement& rest, const ElementState& state, int corner, double factor, StiffnessRow& row) {
+  const Mat3 gradient = state.frame * state.compaction.full();
+  const Vec3 a = factor * rest.volume * gradient * rest.shape_gradients.col(corner);
+  for (int j = 0; j < 4; ++j) {
+    const Vec3 b = gradient * rest.shape_gradients.col(j);
+    const Mat3 block = a * b.transpose() + 0.25 * (b * a.transpose() + a.dot(b) * Mat3::Identity());
+    for (int k = 0; k < 3; ++k) row.columns[3 * j + k] += simd::WideQuad{block(0, k), block(1, k), block(2, k), 0};
+  }
+}
+
 }  // namespace
 
 StiffnessRow stiffness_row(const ElasticLaw& law, const RestElement& rest, const ElementState& state, int corner,
@@ -41,6 +53,7 @@ StiffnessRow stiffness_row(const ElasticLaw& law, const RestElement& rest, const
     const double metric = corotational ? terms[0] + terms[1] + terms[2] : 0;
     for (int k = 0; k < 3; ++k) row.columns[3 * j + k] = b[k] * lambda_a + mu_a[k] * b + metric * kUnits[k];
   }
+  if (state.is_compacted()) add_compaction(rest, state, corner, factor, row);
   if (!corotational) add_green_terms(law, rest, state, corner, factor, row);
   return row;
 }

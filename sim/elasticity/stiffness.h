@@ -17,7 +17,8 @@ struct StiffnessRow {
 ///   K_ij = V [ lambda a_i a_jᵀ + mu a_j a_iᵀ + mu (g_i·g_j) B Bᵀ + (g_iᵀ sigma⁺ g_j) I ]
 /// The last, geometric term exists only for Green's strain. Its tensile part sigma⁺ keeps the matrix positive
 /// semidefinite under compression too, and in pure tension K = −∂f/∂x exactly. The corotational row omits the change of
-/// Q, so it is exact at rest.
+/// Q, so it is exact at rest. Resistance to compaction adds, with C = Compaction::gradient and b_i = B C g_i,
+///   V [ b_i b_jᵀ + ¼ (b_j b_iᵀ + (b_i·b_j) I) ]
 StiffnessRow stiffness_row(const ElasticLaw& law, const RestElement& rest, const ElementState& state, int corner,
                            double factor = 1);
 

@@ -24,6 +24,7 @@ void AssemblyInputs::record(const MatrixFactors& factors, const ElasticLaw& law,
   is_recorded_ = true;
   factors_ = factors;
   law_ = law;
+  is_compacted_ = any_compacted(states);
   frames_.resize(tets_.size());
   for (std::size_t i = 0; i < tets_.size(); ++i) frames_[i] = states[tets_[i]].frame.cast<float>();
   masses_.resize(nodes_.size());
@@ -33,7 +34,7 @@ void AssemblyInputs::record(const MatrixFactors& factors, const ElasticLaw& law,
 bool AssemblyInputs::still_hold(const MatrixFactors& factors, const ElasticLaw& law,
                                 std::span<const ElementState> states, std::span<const double> masses) const {
   constexpr double kSameFrame = 1e-4;
-  if (!(is_recorded_ && factors == factors_ && law == law_)) return false;
+  if (!(is_recorded_ && factors == factors_ && law == law_) || is_compacted_ || any_compacted(states)) return false;
   for (std::size_t i = 0; i < nodes_.size(); ++i)
     if (masses[nodes_[i]] != masses_[i]) return false;
   const auto has_turned = [](const Mat3& frame, const Frame& then) {
@@ -53,6 +54,10 @@ bool AssemblyInputs::still_hold(const MatrixFactors& factors, const ElasticLaw& 
     return count;
   });
   return turned == 0;
+}
+
+bool AssemblyInputs::any_compacted(std::span<const ElementState> states) const {
+  return std::ranges::any_of(tets_, [&](TetId tet) { return states[tet].is_compacted(); });
 }
 
 std::size_t AssemblyInputs::memory() const {

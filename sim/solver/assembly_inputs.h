@@ -18,16 +18,19 @@ class AssemblyInputs {
   void record(const MatrixFactors& factors, const ElasticLaw& law, std::span<const ElementState> states,
               std::span<const double> masses);
   /// True if the matrix would be the same except for negligible changes: factors, law and masses are equal, and frames
-  /// differ by less than 1e-4 (Frobenius norm), far below the residual to which systems are solved.
+  /// differ by less than 1e-4 (Frobenius norm), far below the residual to which systems are solved; false if a tet is
+  /// compacted.
   bool still_hold(const MatrixFactors& factors, const ElasticLaw& law, std::span<const ElementState> states,
                   std::span<const double> masses) const;
   /// Returns its approximate memory [bytes].
   std::size_t memory() const;
 
  private:
+  bool any_compacted(std::span<const ElementState> states) const;
+
   using Frame = Eigen::Matrix<float, 3, 3, Eigen::DontAlign>;  // single precision suffices to see it turn
 
-  bool is_recorded_ = false;
+  bool is_recorded_ = false, is_compacted_ = false;
   MatrixFactors factors_;
   ElasticLaw law_;
   std::vector<TetId> tets_;

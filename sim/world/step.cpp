@@ -6,10 +6,12 @@
 #include <limits>
 #include <utility>
 
+#include "sim/world/bodies/bodies.h"
 #include "sim/world/bodies/expected_impacts.h"
 #include "sim/world/conditions/projectiles.h"
 #include "sim/world/conditions/push.h"
 #include "sim/world/contact/contact_phase.h"
+#include "sim/world/contact/large_strains.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/explicit/explicit_obstacles.h"
 #include "sim/world/explicit/explicit_regime.h"
@@ -24,6 +26,7 @@
 #include "sim/world/output/publish.h"
 #include "sim/world/regime/part_at_bonds.h"
 #include "sim/world/regime/rest_phase.h"
+#include "sim/world/state/corners.h"
 #include "sim/world/state/world_state.h"
 #include "sim/world/substeps.h"
 
@@ -64,8 +67,8 @@ void move(WorldState& world, double dt) {
   const std::vector<Vec3> external = std::move(forces.nodes);
   world.scratch.edge_loads = std::move(forces.edges);
   timed(ms.elasticity, [&] { predict_velocities(world, external, dt); });
-  timed(ms.contact, [&] { resolve_contacts(world, dt); });
-  timed(ms.elasticity, [&] { move_bodies(world, external, dt); });
+  std::vector<ElasticMove> moves = timed(ms.contact, [&] { return resolve_contacts(world, external, dt); });
+  timed(ms.elasticity, [&] { move_bodies(world, external, std::move(moves), dt); });
 }
 
 void take_substep(WorldState& world, double dt) {
@@ -137,19 +140,86 @@ bool move_within_ceiling(WorldState& world, double substep) {
   return false;
 }
 
+/// True for bodies whose strains limit substeps: soft ones that are more than debris.
+bool limits_substeps(const WorldState& world, const Body& body) {
+  return can_be_compacted(world, body) && deforms_visibly(world, body);
+}
+
+/// Returns the depth of soft bodies below the ground, in sizes of their elements.
+double depth_of_soft_bodies(const WorldState& world) {
+  if (!world.model->scene.ground) return 0;
+  const double height = world.model->scene.ground->height;
+  double deepest = 0;
+  for (const Body& body : world.bodies)
+    if (limits_substeps(world, body) && !body.supported())
+      for (const NodeId node : body.nodes)
+        deepest = std::max(deepest, (height - world.nodes.positions[node].y()) / body.element_size);
+  return deepest;
+}
+
+/// Returns the time in which a body with compacted tets strains by a half [s]: longer substeps would be in vain.
+double time_of_strains(const WorldState& world) {
+  constexpr double kStrain = 0.5;
+  double fastest = 0;
+  for (const Body& body : world.bodies) {
+    const auto is_compacted = [&](TetId tet) { return world.elements.states[tet].is_compacted(); };
+    if (!limits_substeps(world, body) || std::ranges::none_of(body.tets, is_compacted)) continue;
+    for (const TetId tet : body.tets) {
+      const Mat3 rate =
+          deformation_gradient(world.elements.rest_elements[tet], corners_of(world.mesh, tet, world.nodes.velocities));
+      fastest = std::max(fastest, 0.5 * (rate + rate.transpose()).norm());
+    }
+  }
+  return kStrain / fastest;
+}
+
+/// Length of the substeps that soft bodies allow in a step.
+struct StrainLimit {
+  double longest = 0, shortest = 0;  ///< [s]
+  int undone = 0;                    ///< substeps that were undone
+};
+
+/// Returns the limit for a step of this length [s].
+StrainLimit strain_limit(const WorldState& world, double time_step) {
+  constexpr double kMostSubsteps = 64;
+  const double shortest = time_step / kMostSubsteps;
+  return {std::max(2 * shortest, time_of_strains(world)), shortest};
+}
+
+/// Moves everything on by `substep` [s]. Where the nonlinear step of a soft body does not converge, or one turns so far
+/// that it comes to lie below the ground, restores the state before and halves the limit, but not more than some times
+/// in a step.
+bool move_within_strains(WorldState& world, double substep, StrainLimit& limit) {
+  constexpr double kDeep = 1e-3;  // in sizes of elements
+  constexpr int kMaxUndone = 12;
+  if (substep < 2 * limit.shortest || limit.undone == kMaxUndone || !may_strain_far(world))
+    return move_within_ceiling(world, substep);
+  const WorldState before = world;
+  make_elements_own(world);
+  if (!move_within_ceiling(world, substep)) return false;
+  const bool has_converged = world.report.unconverged_motions == before.report.unconverged_motions;
+  if (has_converged && depth_of_soft_bodies(world) <= std::max(kDeep, depth_of_soft_bodies(before))) return true;
+  world = before;
+  limit.longest = substep / 2;
+  ++limit.undone;
+  return false;
+}
+
 /// Makes substeps: up to the next impact, and while waves run in bodies that were hit or crack. Bodies in explicit
 /// dynamics take microsteps through a substep, all else one implicit substep, after which what is too soft for
 /// microsteps cracks.
 void step_in_substeps(WorldState& world, double time_step) {
-  constexpr double kRounding = 1e-9;
+  constexpr double kRounding = 1e-9, kGrowth = 1.25;
   StepTimings& ms = world.report.milliseconds;
   world.report.substeps = 0;
   world.scratch.microstep_work = 0;
+  StrainLimit strains = strain_limit(world, time_step);
   StepImpacts impacts;
   for (double left = time_step; left > kRounding * time_step; ++world.report.substeps) {
-    const double start = world.time, substep = next_substep(world, left, impacts);
+    const double start = world.time, substep = std::min(strains.longest, next_substep(world, left, impacts));
     timed(ms.explicit_dynamics, [&] { impacts.follow_alone(world, substep); });
-    if (!move_within_ceiling(world, substep)) continue;
+    if (!move_within_strains(world, substep, strains)) continue;
+    strains.longest *= kGrowth;
     impacts.catch_up(world);
     world.time = start + substep;
     left -= substep;

@@ -137,7 +137,7 @@ void step_implicitly(Specimen& specimen, double dt) {
   record_substep_start(world, world.scratch);
   assemble_systems(world, dt);
   predict_velocities(world, forces, dt);
-  move_bodies(world, forces, dt);
+  move_bodies(world, forces, std::vector<ElasticMove>(world.bodies.size()), dt);
 }
 
 struct Balance {

@@ -12,6 +12,7 @@
 #include "sim/world/bodies/expected_impacts.h"
 #include "sim/world/contact/elastic_contacts.h"
 #include "sim/world/contact/face_contacts.h"
+#include "sim/world/contact/large_strains.h"
 #include "sim/world/contact/quasi_static.h"
 #include "sim/world/contact/touched_body.h"
 #include "sim/world/energy/energy_phase.h"
@@ -203,6 +204,7 @@ void respond(WorldState& world, TouchedBody& touched, const ElasticObject& objec
 
 void respond(WorldState& world, TouchedBodies& touched, double dt) {
   world.scratch.contact_impulses.assign(world.nodes.positions.size(), Vec3::Zero());
+  for (const TouchedBody& of : touched.bodies) world.scratch.bodies[of.body].contact_work = 0;
   parallel_for(static_cast<int>(touched.bodies.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) respond(world, touched.bodies[i], touched.objects[i], dt);
   });
@@ -286,12 +288,20 @@ void find_contacts(WorldState& world, double dt) {
   choose_quasi_static_bodies(world);
 }
 
-void resolve_contacts(WorldState& world, double dt) {
+std::vector<ElasticMove> resolve_contacts(WorldState& world, const std::vector<Vec3>& external, double dt) {
   wake_disturbed_bodies(world, dt);
   replace_contacts(world, spread_contacts(world, dt));
   push_rigid_velocities(world);
   TouchedBodies touched = solve_contacts(world, dt);
+  const std::vector<Vec3> free = world.nodes.velocities, reactions = world.nodes.reactions;
+  const double spent = world.energy.contacts;
   respond(world, touched, dt);
+  std::vector<ElasticMove> moves = resolve_large_strains(world, external, free, dt, [&] {
+    world.nodes.reactions = reactions;
+    world.energy.contacts = spent;
+    solve_elastic_contacts(world, touched, dt);
+    respond(world, touched, dt);
+  });
   push_rigid_velocities(world, taken_for_rigid(world, touched));
   world.contact_world.advance(dt);
   read_back_rigid_velocities(world);
@@ -302,6 +312,7 @@ void resolve_contacts(WorldState& world, double dt) {
   const int contacts = static_cast<int>(world.contact_world.contacts().size());
   world.report.contacts = std::max(world.report.contacts, contacts);
   world.report.max_penetration = std::max(world.report.max_penetration, world.contact_world.max_penetration());
+  return moves;
 }
 
 }  // namespace griffith

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "sim/world/energy/energy_phase.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {
@@ -14,7 +15,8 @@ ExternalForces external_forces(const WorldState& world, double dt);
 void make_first_struck_elastic(WorldState& world, double duration);
 /// Finds all contacts within a substep of `dt` [s], and the bodies that are quasi-static in it.
 void find_contacts(WorldState& world, double dt);
-/// Changes the velocities so that nothing penetrates, and moves the projectiles.
-void resolve_contacts(WorldState& world, double dt);
+/// Changes the velocities so that nothing penetrates, and moves the projectiles. `external`: forces per node [N].
+/// Returns how bodies move with these velocities, by BodyId: by a nonlinear step what strains far.
+std::vector<ElasticMove> resolve_contacts(WorldState& world, const std::vector<Vec3>& external, double dt);
 
 }  // namespace griffith

@@ -203,10 +203,13 @@ void add_ground_contacts(const WorldState& world, const Body& body, ProxyId grou
   const bool has_microsteps = world.model->scene.simulation.integrator == Integrator::hybrid;
   const double left_to_microsteps =
       has_microsteps ? damage_speed(world, body) : std::numeric_limits<double>::infinity();
+  double fastest = 0;  // of a soft body: its nodes pull one another down
+  if (deforms_visibly(world, body))
+    for (const NodeId node : body.nodes) fastest = std::max(fastest, -world.nodes.velocities[node].y());
   std::vector<NodeId> nodes;
   for (const SurfaceFace& face : body.surface)
     for (const NodeId node : face_nodes(world.mesh, face.tet, face.face)) {
-      const double speed = std::max(0.0, -world.nodes.velocities[node].y());
+      const double speed = std::max(fastest, -world.nodes.velocities[node].y());
       const double foresight = speed < left_to_microsteps ? kForesight : kClosing;
       if (!world.nodes.has_support[node] &&
           world.nodes.positions[node].y() - height < reach + foresight * (dt * speed + fall))

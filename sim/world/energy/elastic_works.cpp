@@ -7,6 +7,7 @@
 #include "sim/core/tet_edge_corners.h"
 #include "sim/elasticity/eigenvalues.h"
 #include "sim/elasticity/stiffness.h"
+#include "sim/world/explicit/similarity.h"
 #include "sim/world/state/corners.h"
 
 namespace griffith {
@@ -18,8 +19,8 @@ using FourMatrices = simd::Matrix3<DoubleLanes>;
 /// Four tets side by side before they move.
 struct FourStarts {
   FourMatrices frame, gradient, deforming;  ///< gradients: of the displacements, and of those that deform the body
-  simd::Symmetric3<DoubleLanes> stress;
-  DoubleLanes volume;
+  simd::Symmetric3<DoubleLanes> stress, compaction;
+  DoubleLanes volume, energy_density;
 };
 
 struct FourWorks {
@@ -78,13 +79,36 @@ FourStarts starts_of(const WorldState& world, const std::array<TetId, 4>& tets, 
   starts.frame = matrix_of([&](int i, int j) { return lanes([&](TetId tet) { return state(tet).frame(i, j); }); });
   starts.gradient = gradients_of(world, tets, world.nodes.velocities, dt);
   starts.deforming = gradients_of(world, tets, world.scratch.substep_start.deforming_velocities, dt);
-  const auto stress = [&](double SymmetricMat3::*entry) {
-    return lanes([&](TetId tet) { return state(tet).stress.*entry; });
+  const auto symmetric = [&](SymmetricMat3 ElementState::*matrix) -> simd::Symmetric3<DoubleLanes> {
+    const auto entry = [&](double SymmetricMat3::*of) {
+      return lanes([&](TetId tet) { return state(tet).*matrix.*of; });
+    };
+    return {entry(&SymmetricMat3::xx), entry(&SymmetricMat3::yy), entry(&SymmetricMat3::zz),
+            entry(&SymmetricMat3::xy), entry(&SymmetricMat3::xz), entry(&SymmetricMat3::yz)};
   };
-  starts.stress = {stress(&SymmetricMat3::xx), stress(&SymmetricMat3::yy), stress(&SymmetricMat3::zz),
-                   stress(&SymmetricMat3::xy), stress(&SymmetricMat3::xz), stress(&SymmetricMat3::yz)};
+  starts.stress = symmetric(&ElementState::stress);
+  starts.compaction = symmetric(&ElementState::compaction);
+  starts.energy_density = lanes([&](TetId tet) { return state(tet).energy_density; });
   starts.volume = lanes([&](TetId tet) { return world.elements.rest_elements[tet].volume; });
   return starts;
+}
+
+/// Returns the change of the work against compaction per volume: tr(a) tr(b) + ½ sym(a) : sym(b) with a and b = G (B
+/// C)ᵀ of both gradients G (stiffness_row()).
+DoubleLanes compaction_work(const FourStarts& starts) {
+  const auto& b = starts.frame.at;
+  const FourMatrices c = full(starts.compaction);
+  const FourMatrices bc =
+      matrix_of([&](int i, int j) { return b[i][0] * c.at[0][j] + (b[i][1] * c.at[1][j] + b[i][2] * c.at[2][j]); });
+  const auto symmetric_of = [&](const FourMatrices& gradient) {
+    const auto& g = gradient.at;
+    const auto rate = [&](int i, int j) {
+      return g[i][0] * bc.at[j][0] + (g[i][1] * bc.at[j][1] + g[i][2] * bc.at[j][2]);
+    };
+    return matrix_of([&](int i, int j) { return 0.5 * (rate(i, j) + rate(j, i)); });
+  };
+  const FourMatrices x = symmetric_of(starts.deforming), y = symmetric_of(starts.gradient);
+  return trace_of(x) * trace_of(y) + 0.5 * sum_of_products(x, y);
 }
 
 /// Returns the symmetric parts of Bᵀ G of a gradient G of displacements in the frame B.
@@ -99,14 +123,12 @@ FourWorks works_of(const ElasticLaw& law, const FourStarts& starts) {
   const FourMatrices stress = full(starts.stress);
   const FourMatrices strain = strain_of(starts.frame, starts.gradient),
                      deforming = strain_of(starts.frame, starts.deforming);
-  const DoubleLanes stress_trace = trace_of(stress);
-  const double fraction = law.lambda / (3 * law.lambda + 2 * law.mu);
   FourWorks works;
   works.first = starts.volume * sum_of_products(stress, deforming);
   works.change = starts.volume * (law.lambda * trace_of(deforming) * trace_of(strain) +
                                   2 * law.mu * sum_of_products(deforming, strain));
-  works.energy_density =
-      0.5 * ((sum_of_products(stress, stress) - fraction * stress_trace * stress_trace) / (2 * law.mu));
+  if (law.compaction > 0) works.change += starts.volume * compaction_work(starts);
+  works.energy_density = starts.energy_density;
   if (law.model == ElementModel::green_strain) {
     const auto &t = full(simd::tensile_part(starts.stress)).at, &g = starts.gradient.at;
     const FourMatrices carried =
@@ -190,7 +212,7 @@ double twice_energy_density(const ElasticLaw& law, const Mat3& stress) {
 ElasticWorks elastic_works(const WorldState& world, const Body& body, double dt) {
   if (!body.edges.empty()) return quadratic_works(world, body, dt);
   constexpr int kLanes = simd::kDoubleLanes;
-  const ElasticLaw law = elastic_law(world.material_of(body));
+  const ElasticLaw law = effective_elastic_law(world, body);
   const int count = static_cast<int>(body.tets.size());
   std::vector<FourWorks> of_tets((count + kLanes - 1) / kLanes);
   parallel_for(static_cast<int>(of_tets.size()), 256, [&](int begin, int end) {

@@ -91,14 +91,18 @@ std::function<Vec3(NodeId)> rigid_velocity_of(const WorldState& world, const Bod
   };
 }
 
-/// Restores a snapshot, without the velocities that deform the body.
-void restore_whole(WorldState& world, const Body& body, const BodySnapshot& taken) {
+/// Restores a snapshot.
+void restore(WorldState& world, const Body& body, const BodySnapshot& taken) {
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     world.nodes.positions[body.nodes[i]] = taken.positions[i];
     world.nodes.velocities[body.nodes[i]] = taken.velocities[i];
   }
-  for (std::size_t i = 0; i < body.edges.size(); ++i) world.edges.offsets[body.edges[i]] = taken.offsets[i];
-  keep_whole_motion(world, body);
+  for (std::size_t i = 0; i < body.edges.size(); ++i) {
+    world.edges.offsets[body.edges[i]] = taken.offsets[i];
+    world.edges.velocities[body.edges[i]] = taken.edge_velocities[i];
+  }
+  for (std::size_t i = 0; i < taken.plastic_strains.size(); ++i)
+    world.elements.plastic_strains[body.tets[i]] = taken.plastic_strains[i];
 }
 
 void move_nodes(WorldState& world, const Body& body, const std::vector<Vec3>& external, double dt) {
@@ -120,19 +124,28 @@ double energy_of_strain(const WorldState& world, const Body& body, double strain
 
 namespace {
 
-/// Moves an elastic body and takes its stress. Returns how: what the linearized step would give more energy than it
-/// had and was given moves by the nonlinear one.
-ElasticMove move_elastic(WorldState& world, Body& body, const BodySnapshot& before, const std::vector<Vec3>& external,
-                         double dt) {
+/// Returns the energy that a body had when the substep began, and what it is given at its present velocities [J].
+double energy_with_work(const WorldState& world, const Body& body, const std::vector<Vec3>& external, double dt) {
+  return world.scratch.bodies[body.id].energy + work_done(world, body, external, dt);
+}
+
+/// True if a body has more energy than it may have, beyond rounding [J].
+bool has_more_than(const WorldState& world, const Body& body, double allowed) {
   constexpr double kTolerance = 1e-5;
-  const bool checked = !world.integrates_explicitly();
   const double energy = world.scratch.bodies[body.id].energy;
-  const double given = checked ? energy + work_done(world, body, external, dt) : 0;
+  const double noise = energy_of_strain(world, body, 1e-12) + kTolerance * (energy + allowed);
+  return mechanical_energy(world, body) > allowed + noise;
+}
+
+/// Moves an elastic body by the velocities of this step and takes its stress. Returns how: what it would give more
+/// energy than it had and was given moves by the nonlinear one.
+ElasticMove move_elastic(WorldState& world, Body& body, const BodySnapshot& before, const std::vector<Vec3>& external,
+                         ElasticMove move, double dt) {
+  const bool checked = !world.integrates_explicitly();
+  const double allowed = checked ? energy_with_work(world, body, external, dt) : 0;
   move_nodes(world, body, external, dt);
   update_elements(world, body);
-  if (!checked) return ElasticMove::linearized;
-  const double noise = energy_of_strain(world, body, 1e-12) + kTolerance * (energy + given);
-  if (!(mechanical_energy(world, body) > given + noise)) return ElasticMove::linearized;
+  if (!checked || !has_more_than(world, body, allowed)) return move;
   return move_nonlinearly(world, body, before, external, dt) ? ElasticMove::nonlinear : ElasticMove::unconverged;
 }
 
@@ -146,6 +159,17 @@ void leave_deforming_velocities(WorldState& world, const Body& body) {
 }
 
 }  // namespace
+
+bool would_gain_energy(WorldState& world, const Body& body, const std::vector<Vec3>& external, double dt) {
+  const BodySnapshot before = snapshot(world, body);
+  const double allowed = energy_with_work(world, body, external, dt);
+  move_nodes(world, body, external, dt);
+  update_elements(world, body);
+  const bool gains = has_more_than(world, body, allowed);
+  restore(world, body, before);
+  update_elements(world, body);
+  return gains;
+}
 
 Wrench wrench_of(const WorldState& world, const Body& body, const std::vector<Vec3>& forces) {
   Wrench wrench;
@@ -168,7 +192,8 @@ double mechanical_energy(const WorldState& world, const Body& body) {
 
 void move_without_deforming(WorldState& world, const Body& body, const BodySnapshot& before,
                             const std::vector<Vec3>& external, double dt) {
-  restore_whole(world, body, before);
+  restore(world, body, before);
+  keep_whole_motion(world, body);
   move_nodes(world, body, external, dt);
 }
 
@@ -212,10 +237,9 @@ void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>&
   motion.angular_velocity = (motion.angular_velocity + dt * (motion.inertia.inverse() * torque)) / damping;
 }
 
-void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt) {
+void move_bodies(WorldState& world, const std::vector<Vec3>& external, std::vector<ElasticMove> moves, double dt) {
   world.scratch.substep_start.deforming_velocities = world.nodes.velocities;
   world.scratch.substep_start.deforming_edge_velocities = world.edges.velocities;
-  std::vector<ElasticMove> moves(world.bodies.size(), ElasticMove::linearized);
   std::vector<EnergyAccount> spent(world.bodies.size());
   parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
@@ -229,8 +253,8 @@ void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt
         const BodySnapshot before = snapshot(world, body);
         leave_deforming_velocities(world, body);
         const ElasticWorks works = elastic_works(world, body, dt);
-        moves[i] = move_elastic(world, body, before, external, dt);
-        spent[i] = spent_in_move(world, body, before, works, external, dt, moves[i]);
+        moves[body.id] = move_elastic(world, body, before, external, moves[body.id], dt);
+        spent[i] = spent_in_move(world, body, before, works, external, dt, moves[body.id]);
         update_motion(world, body);
       }
     }
@@ -239,7 +263,7 @@ void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt
     Body& body = world.bodies[i];
     if (!body.asleep && !body.explicit_state) world.energy += spent[i];
     freeze_if_broken_down(world, body);
-    world.report.unconverged_motions += moves[i] == ElasticMove::unconverged;
+    world.report.unconverged_motions += moves[body.id] == ElasticMove::unconverged;
     if (!body.is_deformable()) continue;
     for (TetId tet : body.tets) world.report.inverted_tets += world.elements.states[tet].inverted;
   }

@@ -10,7 +10,10 @@ namespace griffith {
 /// Applies the external `forces` [N] of a substep of `dt` [s] to a rigid body; its loads are recorded in `start`.
 void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>& forces, double dt, RigidStart& start);
 /// Moves every body by its velocities and takes the elastic state after; `external` as in predict_velocities().
-void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt);
+/// `moves`: by which step they were found, by BodyId.
+void move_bodies(WorldState& world, const std::vector<Vec3>& external, std::vector<ElasticMove> moves, double dt);
+/// True if the present velocities would give a body more energy than it had and is given in a substep.
+bool would_gain_energy(WorldState& world, const Body& body, const std::vector<Vec3>& external, double dt);
 /// Moves the nodes of a body from `before` by the part of its velocities that does not deform it, in a substep of `dt`
 /// [s] under `external` forces [N].
 void move_without_deforming(WorldState& world, const Body& body, const BodySnapshot& before,

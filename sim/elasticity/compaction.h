@@ -1,0 +1,29 @@
+#pragma once
+
+#include "sim/elasticity/element.h"
+
+namespace griffith {
+
+/// Resistance of an element that is pressed to little of its volume, beside its elastic law: Ogden's volumetric energy
+/// (1972) with β = 2, from a volume ratio J₀ on:
+///   U(J) = κ/4 (2 ln r + r⁻² − 1),   r = J/J₀ < 1,   J = det F
+/// Its pressure grows without limit, so that no impact turns elements inside out. Corotational strain alone resists by
+/// a finite force (J₀ = 0.3). Green's resists less and less once it is pressed to s = 1/√3 of its length: its force per
+/// area (lambda + 2 mu) (1 − s²) s/2 is largest there (J₀ = 1/√3). Below r = 0.02, U goes on as a parabola, so that an
+/// element that is inside out comes back (Stomakhin, Howes, Schroeder & Teran 2012).
+struct Compaction {
+  Mat3 stress = Mat3::Zero();  ///< as ElementState::stress [Pa]
+  Mat3 gradient = Mat3::Zero();  ///< C of its stiffness in stiffness_row(), about B⁻¹ ∂J/∂F times the root of U″ [√Pa]
+  double energy_density = 0;  ///< [J/m³]
+};
+
+/// Returns what it adds to an element with this strain, in the law's measure; `inverted`: in corotational strain.
+Compaction compaction_of(const ElasticLaw& law, const Mat3& strain, bool inverted);
+
+/// True if a law resists the compaction of an element to this volume ratio J.
+bool is_compacted_at(const ElasticLaw& law, double volume_ratio);
+
+/// Modulus κ of a law with these constants [Pa]: from J₀ on, the element is some times stiffer than at rest.
+inline double compaction_modulus(double lambda, double mu) { return 0.25 * (lambda + 2 * mu); }
+
+}  // namespace griffith
