@@ -6,7 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "sim/world/bodies/bodies.h"
 #include "sim/world/bodies/expected_impacts.h"
 #include "sim/world/conditions/projectiles.h"
 #include "sim/world/conditions/push.h"
@@ -26,8 +25,8 @@
 #include "sim/world/output/publish.h"
 #include "sim/world/regime/part_at_bonds.h"
 #include "sim/world/regime/rest_phase.h"
-#include "sim/world/state/corners.h"
 #include "sim/world/state/world_state.h"
+#include "sim/world/strain_limit.h"
 #include "sim/world/substeps.h"
 
 namespace griffith {
@@ -138,52 +137,6 @@ bool move_within_ceiling(WorldState& world, double substep) {
   world.scratch.microstep_work = work;
   world.explicit_overhead = overhead;
   return false;
-}
-
-/// True for bodies whose strains limit substeps: soft ones that are more than debris.
-bool limits_substeps(const WorldState& world, const Body& body) {
-  return can_be_compacted(world, body) && deforms_visibly(world, body);
-}
-
-/// Returns the depth of soft bodies below the ground, in sizes of their elements.
-double depth_of_soft_bodies(const WorldState& world) {
-  if (!world.model->scene.ground) return 0;
-  const double height = world.model->scene.ground->height;
-  double deepest = 0;
-  for (const Body& body : world.bodies)
-    if (limits_substeps(world, body) && !body.supported())
-      for (const NodeId node : body.nodes)
-        deepest = std::max(deepest, (height - world.nodes.positions[node].y()) / body.element_size);
-  return deepest;
-}
-
-/// Returns the time in which a body with compacted tets strains by a half [s]: longer substeps would be in vain.
-double time_of_strains(const WorldState& world) {
-  constexpr double kStrain = 0.5;
-  double fastest = 0;
-  for (const Body& body : world.bodies) {
-    const auto is_compacted = [&](TetId tet) { return world.elements.states[tet].is_compacted(); };
-    if (!limits_substeps(world, body) || std::ranges::none_of(body.tets, is_compacted)) continue;
-    for (const TetId tet : body.tets) {
-      const Mat3 rate =
-          deformation_gradient(world.elements.rest_elements[tet], corners_of(world.mesh, tet, world.nodes.velocities));
-      fastest = std::max(fastest, 0.5 * (rate + rate.transpose()).norm());
-    }
-  }
-  return kStrain / fastest;
-}
-
-/// Length of the substeps that soft bodies allow in a step.
-struct StrainLimit {
-  double longest = 0, shortest = 0;  ///< [s]
-  int undone = 0;                    ///< substeps that were undone
-};
-
-/// Returns the limit for a step of this length [s].
-StrainLimit strain_limit(const WorldState& world, double time_step) {
-  constexpr double kMostSubsteps = 64;
-  const double shortest = time_step / kMostSubsteps;
-  return {std::max(2 * shortest, time_of_strains(world)), shortest};
 }
 
 /// Moves everything on by `substep` [s]. Where the nonlinear step of a soft body does not converge, or one turns so far
