@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/explicit/similarity.h"
+#include "sim/world/bodies/effective_law.h"
 #include "sim/world/state/corners.h"
 
 namespace griffith {

@@ -7,7 +7,7 @@
 #include "sim/core/tet_edge_corners.h"
 #include "sim/elasticity/eigenvalues.h"
 #include "sim/elasticity/stiffness.h"
-#include "sim/world/explicit/similarity.h"
+#include "sim/world/bodies/effective_law.h"
 #include "sim/world/state/corners.h"
 
 namespace griffith {

@@ -8,6 +8,7 @@
 #include "sim/geometry/face_key.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/bodies/effective_law.h"
 #include "sim/world/explicit/explicit_run.h"
 #include "sim/world/explicit/similarity.h"
 #include "sim/world/fracture/separation_phase.h"

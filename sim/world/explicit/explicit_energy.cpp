@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/world/bodies/effective_law.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/explicit/explicit_run.h"
-#include "sim/world/explicit/similarity.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {

@@ -7,6 +7,7 @@
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/bodies/bonded_pieces.h"
+#include "sim/world/bodies/effective_law.h"
 #include "sim/world/bodies/expected_impacts.h"
 #include "sim/world/contact/contact_phase.h"
 #include "sim/world/energy/energy_phase.h"

@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "sim/elasticity/compaction.h"
 #include "sim/explicit/element_block.h"
 #include "sim/explicit/explicit_bodies.h"
 #include "sim/geometry/disjoint_sets.h"
@@ -160,22 +159,6 @@ ScaledImpact scaled_impact(const WorldState& world, const Body& body) {
 }
 
 }  // namespace
-
-bool can_be_compacted(const WorldState& world, const Body& body) {
-  constexpr double kVisibleStrain = 1e-3;
-  const Material& material = world.material_of(body);
-  return body.is_deformable() && body.edges.empty() && !world.integrates_explicitly() &&
-         material.tensile_strength > kVisibleStrain * material.young_modulus;
-}
-
-ElasticLaw effective_elastic_law(const WorldState& world, const Body& body) {
-  ElasticLaw law = elastic_law(world.material_of(body));
-  if (can_be_compacted(world, body)) law.compaction = compaction_modulus(law.lambda, law.mu);
-  if (!body.explicit_state) return law;
-  law.lambda *= body.explicit_state->similarity;
-  law.mu *= body.explicit_state->similarity;
-  return law;
-}
 
 double highest_frequency(const WorldState& world, const Body& body) {
   const Material& material = world.material_of(body);

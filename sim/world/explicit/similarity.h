@@ -10,13 +10,6 @@
 /// microsteps 1/f times longer. It holds for as long as the impact is slow against the slowed waves.
 namespace griffith {
 
-/// Returns the present law of a body's stress: that of the material times f, so that stress counts against the full
-/// strength. In implicit steps, soft bodies resist compaction.
-ElasticLaw effective_elastic_law(const WorldState& world, const Body& body);
-/// True if a body resists compaction: one that implicit steps may strain that much. Brittle ones break long before, and
-/// microsteps do not follow the frequencies of compacted elements.
-bool can_be_compacted(const WorldState& world, const Body& body);
-
 /// Returns the highest frequency of the body's elements under the full stiffness, without slivers that are relieved
 /// [rad/s].
 double highest_frequency(const WorldState& world, const Body& body);

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "sim/solver/conjugate_gradient.h"
+#include "sim/world/bodies/effective_law.h"
 #include "sim/world/contact/elastic_contacts.h"
-#include "sim/world/explicit/similarity.h"
 #include "sim/world/motion/elastic_phase.h"
 #include "sim/world/state/corners.h"
 

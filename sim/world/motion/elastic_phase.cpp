@@ -11,7 +11,7 @@
 #include "sim/mesh/corner_sums.h"
 #include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/explicit/similarity.h"
+#include "sim/world/bodies/effective_law.h"
 #include "sim/world/motion/explicit_integration.h"
 #include "sim/world/motion/motion_phase.h"
 #include "sim/world/motion/turning.h"
