@@ -71,7 +71,9 @@ void draw_render_dialog(Panel& panel) {
   subject_row(panel, request);
   number_rows(panel, request);
   const bool entered = path_row(panel, request), left = escape_left_untyped();
-  const std::filesystem::path folder = std::filesystem::absolute(panel.input.scene_path).parent_path();
+  // A new scene has no path yet.
+  const std::filesystem::path folder =
+      std::filesystem::current_path() / std::filesystem::path(panel.input.scene_path).parent_path();
   const std::filesystem::path path = (folder / request.path).lexically_normal();
   hint(panel, path.string());
   tag_last_item(panel.tags, "render/whole_path", path.string());
