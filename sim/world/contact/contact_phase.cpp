@@ -288,20 +288,34 @@ void find_contacts(WorldState& world, double dt) {
   choose_quasi_static_bodies(world);
 }
 
-std::vector<ElasticMove> resolve_contacts(WorldState& world, const std::vector<Vec3>& external, double dt) {
-  wake_disturbed_bodies(world, dt);
-  replace_contacts(world, spread_contacts(world, dt));
-  push_rigid_velocities(world);
-  TouchedBodies touched = solve_contacts(world, dt);
+namespace {
+
+/// Lets elastic bodies respond to their contacts, soft ones by nonlinear steps. Returns how bodies will move.
+std::vector<ElasticMove> respond_and_strain(WorldState& world, TouchedBodies& touched,
+                                            const std::vector<Vec3>& external, double dt) {
+  if (!may_strain_far(world)) {
+    respond(world, touched, dt);
+    return std::vector<ElasticMove>(world.bodies.size(), ElasticMove::linearized);
+  }
   const std::vector<Vec3> free = world.nodes.velocities, reactions = world.nodes.reactions;
   const double spent = world.energy.contacts;
   respond(world, touched, dt);
-  std::vector<ElasticMove> moves = resolve_large_strains(world, external, free, dt, [&] {
+  return resolve_large_strains(world, external, free, dt, [&] {
     world.nodes.reactions = reactions;
     world.energy.contacts = spent;
     solve_elastic_contacts(world, touched, dt);
     respond(world, touched, dt);
   });
+}
+
+}  // namespace
+
+std::vector<ElasticMove> resolve_contacts(WorldState& world, const std::vector<Vec3>& external, double dt) {
+  wake_disturbed_bodies(world, dt);
+  replace_contacts(world, spread_contacts(world, dt));
+  push_rigid_velocities(world);
+  TouchedBodies touched = solve_contacts(world, dt);
+  std::vector<ElasticMove> moves = respond_and_strain(world, touched, external, dt);
   push_rigid_velocities(world, taken_for_rigid(world, touched));
   world.contact_world.advance(dt);
   read_back_rigid_velocities(world);

@@ -79,8 +79,7 @@ class LargeStrain {
   }
   void move_back() {
     for (std::size_t i = 0; i < body_.nodes.size(); ++i) world_.nodes.positions[body_.nodes[i]] = before_.positions[i];
-    for (std::size_t i = 0; i < before_.plastic_strains.size(); ++i)
-      world_.elements.plastic_strains[body_.tets[i]] = before_.plastic_strains[i];
+    restore_plastic_strains(world_, body_, before_);
     update_elements(world_, body_);
   }
 
@@ -120,7 +119,6 @@ std::vector<ElasticMove> resolve_large_strains(WorldState& world, const std::vec
                                                const std::function<void()>& solve) {
   constexpr int kMaxRounds = 8;
   std::vector<ElasticMove> moves(world.bodies.size(), ElasticMove::linearized);
-  if (!may_strain_far(world)) return moves;
   std::vector<std::unique_ptr<LargeStrain>> strained;
   for (Body& body : world.bodies)
     if (strains_far(world, body, external, dt))

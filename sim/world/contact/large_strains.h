@@ -17,7 +17,8 @@ bool may_strain_far(const WorldState& world);
 /// not touch. Newton's method: each round linearizes the step at the velocities of the last one, solves for all
 /// contacts with it, and moves on so far that the incremental energy under these contacts decreases (Deformation).
 /// `external`: forces per node [N]; `free`: velocities without contacts, per node [m/s]. solve() changes the velocities
-/// by contacts, and may be called again. Returns how bodies will move, by BodyId: linearized the others.
+/// by contacts, and may be called again. Only where may_strain_far(). Returns how bodies will move, by BodyId:
+/// linearized the others.
 std::vector<ElasticMove> resolve_large_strains(WorldState& world, const std::vector<Vec3>& external,
                                                const std::vector<Vec3>& free, double dt,
                                                const std::function<void()>& solve);

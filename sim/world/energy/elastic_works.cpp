@@ -19,12 +19,13 @@ using FourMatrices = simd::Matrix3<DoubleLanes>;
 /// Four tets side by side before they move.
 struct FourStarts {
   FourMatrices frame, gradient, deforming;  ///< gradients: of the displacements, and of those that deform the body
-  simd::Symmetric3<DoubleLanes> stress, compaction;
-  DoubleLanes volume, energy_density;
+  simd::Symmetric3<DoubleLanes> stress;
+  simd::Symmetric3<DoubleLanes> compaction = {};  ///< zero for laws that do not resist it
+  DoubleLanes volume;
 };
 
 struct FourWorks {
-  DoubleLanes first, change, energy_density;
+  DoubleLanes first, change;
 };
 
 /// Returns the sum of the entries in pairs of pairs, like Eigen.
@@ -51,34 +52,36 @@ DoubleLanes sum_of_products(const FourMatrices& a, const FourMatrices& b) {
 
 DoubleLanes trace_of(const FourMatrices& m) { return m.at[0][0] + (m.at[1][1] + m.at[2][2]); }
 
-/// Returns the gradients of the displacements at these velocities per node in `dt` [s].
-FourMatrices gradients_of(const WorldState& world, const std::array<TetId, 4>& tets,
-                          const std::vector<Vec3>& velocities, double dt) {
-  const auto lanes = [&](const auto& get) {
-    return DoubleLanes{get(tets[0]), get(tets[1]), get(tets[2]), get(tets[3])};
-  };
-  DoubleLanes ways[3][4], slopes[3][4];
-  for (int i = 0; i < 3; ++i)
-    for (int corner = 0; corner < 4; ++corner) {
-      ways[i][corner] = dt * lanes([&](TetId tet) { return velocities[world.mesh->tets[tet][corner]][i]; });
-      slopes[i][corner] =
-          lanes([&](TetId tet) { return world.elements.rest_elements[tet].shape_gradients(i, corner); });
-    }
+/// Coordinates of the four corners of tets.
+using FourCorners = DoubleLanes[3][4];
+
+/// Returns the gradients of displacements of the corners. `slopes`: gradients of the shape functions.
+FourMatrices gradients_of(const FourCorners& ways, const FourCorners& slopes) {
   return matrix_of([&](int i, int j) {
     return (ways[i][0] * slopes[j][0] + ways[i][1] * slopes[j][1]) +
            (ways[i][2] * slopes[j][2] + ways[i][3] * slopes[j][3]);
   });
 }
 
-FourStarts starts_of(const WorldState& world, const std::array<TetId, 4>& tets, double dt) {
+FourStarts starts_of(const WorldState& world, const ElasticLaw& law, const std::array<TetId, 4>& tets, double dt) {
   const auto lanes = [&](const auto& get) {
     return DoubleLanes{get(tets[0]), get(tets[1]), get(tets[2]), get(tets[3])};
   };
   const auto state = [&](TetId tet) -> const ElementState& { return world.elements.states[tet]; };
+  const auto rest = [&](TetId tet) -> const RestElement& { return world.elements.rest_elements[tet]; };
+  const std::vector<Vec3>&whole = world.nodes.velocities, &deforming = world.scratch.substep_start.deforming_velocities;
+  FourCorners ways, deforming_ways, slopes;
+  for (int i = 0; i < 3; ++i)
+    for (int corner = 0; corner < 4; ++corner) {
+      const auto node = [&](TetId tet) { return world.mesh->tets[tet][corner]; };
+      ways[i][corner] = dt * lanes([&](TetId tet) { return whole[node(tet)][i]; });
+      deforming_ways[i][corner] = dt * lanes([&](TetId tet) { return deforming[node(tet)][i]; });
+      slopes[i][corner] = lanes([&](TetId tet) { return rest(tet).shape_gradients(i, corner); });
+    }
   FourStarts starts;
   starts.frame = matrix_of([&](int i, int j) { return lanes([&](TetId tet) { return state(tet).frame(i, j); }); });
-  starts.gradient = gradients_of(world, tets, world.nodes.velocities, dt);
-  starts.deforming = gradients_of(world, tets, world.scratch.substep_start.deforming_velocities, dt);
+  starts.gradient = gradients_of(ways, slopes);
+  starts.deforming = gradients_of(deforming_ways, slopes);
   const auto symmetric = [&](SymmetricMat3 ElementState::*matrix) -> simd::Symmetric3<DoubleLanes> {
     const auto entry = [&](double SymmetricMat3::*of) {
       return lanes([&](TetId tet) { return state(tet).*matrix.*of; });
@@ -87,9 +90,8 @@ FourStarts starts_of(const WorldState& world, const std::array<TetId, 4>& tets, 
             entry(&SymmetricMat3::xy), entry(&SymmetricMat3::xz), entry(&SymmetricMat3::yz)};
   };
   starts.stress = symmetric(&ElementState::stress);
-  starts.compaction = symmetric(&ElementState::compaction);
-  starts.energy_density = lanes([&](TetId tet) { return state(tet).energy_density; });
-  starts.volume = lanes([&](TetId tet) { return world.elements.rest_elements[tet].volume; });
+  if (law.compaction > 0) starts.compaction = symmetric(&ElementState::compaction);
+  starts.volume = lanes([&](TetId tet) { return rest(tet).volume; });
   return starts;
 }
 
@@ -128,7 +130,6 @@ FourWorks works_of(const ElasticLaw& law, const FourStarts& starts) {
   works.change = starts.volume * (law.lambda * trace_of(deforming) * trace_of(strain) +
                                   2 * law.mu * sum_of_products(deforming, strain));
   if (law.compaction > 0) works.change += starts.volume * compaction_work(starts);
-  works.energy_density = starts.energy_density;
   if (law.model == ElementModel::green_strain) {
     const auto &t = full(simd::tensile_part(starts.stress)).at, &g = starts.gradient.at;
     const FourMatrices carried =
@@ -219,7 +220,7 @@ ElasticWorks elastic_works(const WorldState& world, const Body& body, double dt)
     for (int i = begin; i < end; ++i) {
       std::array<TetId, kLanes> tets;
       for (int lane = 0; lane < kLanes; ++lane) tets[lane] = body.tets[std::min(kLanes * i + lane, count - 1)];
-      of_tets[i] = works_of(law, starts_of(world, tets, dt));
+      of_tets[i] = works_of(law, starts_of(world, law, tets, dt));
     }
   });
   ElasticWorks sum;
@@ -228,7 +229,7 @@ ElasticWorks elastic_works(const WorldState& world, const Body& body, double dt)
     const FourWorks& works = of_tets[i / kLanes];
     sum.first += works.first[i % kLanes];
     sum.change += works.change[i % kLanes];
-    sum.energy_densities.push_back(works.energy_density[i % kLanes]);
+    sum.energy_densities.push_back(world.elements.states[body.tets[i]].energy_density);
   }
   return sum;
 }

@@ -225,6 +225,11 @@ BodySnapshot snapshot(const WorldState& world, const Body& body) {
   return taken;
 }
 
+void restore_plastic_strains(WorldState& world, const Body& body, const BodySnapshot& taken) {
+  for (std::size_t i = 0; i < taken.plastic_strains.size(); ++i)
+    world.elements.plastic_strains[body.tets[i]] = taken.plastic_strains[i];
+}
+
 std::vector<Mat3> stresses_of(const WorldState& world, const Body& body) {
   std::vector<Mat3> stresses;
   stresses.reserve(body.tets.size());
@@ -252,23 +257,29 @@ double plastic_work(const WorldState& world, const Body& body, const BodySnapsho
 
 namespace {
 
-/// Rotation of a body about its center of mass or a pivot.
-struct Turning {
-  Vec3 place = Vec3::Zero(), spin = Vec3::Zero();  ///< [m], [rad/s]
+/// Pivot of a body's rotation in the implicit step, and its spin by momentum balance [rad/s].
+struct SpinInStep {
+  Vec3 place = Vec3::Zero(), spin = Vec3::Zero();
 };
 
-/// Returns the rotation of a body at the positions of `before` with these velocities of its nodes; none if supports
-/// prevent it.
-Turning turning_with(const WorldState& world, const Body& body, const std::optional<Pivot>& pivot,
-                     const BodySnapshot& before, const NodeVectors& velocities) {
-  if (body.supported() && !pivot) return {};
+/// Returns no spin if supports prevent rotation.
+SpinInStep spin_in_step(const WorldState& world, const Body& body, const BodySnapshot& before,
+                        const std::vector<Vec3>& external, double dt) {
+  std::optional<Pivot> pivot;
+  if (body.supported()) {
+    pivot = pivot_of(world, body);
+    if (!pivot) return {};
+  }
   const auto count = static_cast<Eigen::Index>(body.nodes.size());
-  NodeVectors positions(3, count);
+  NodeVectors positions(3, count), velocities(3, count);
   Eigen::VectorXd masses(count);
   for (Eigen::Index i = 0; i < count; ++i) {
+    const NodeId node = body.nodes[i];
+    masses[i] = world.nodes.masses[node];
     positions.col(i) = before.positions[i];
-    masses[i] = world.nodes.masses[body.nodes[i]];
+    velocities.col(i) = world.scratch.substep_start.velocities[node] + dt / masses[i] * external[node];
   }
+  velocities /= 1 + dt * world.material_of(body).mass_damping;
   if (pivot) return {pivot->place, turning_about(*pivot, positions, velocities, masses).spin};
   const RigidMotion motion = rigid_motion(positions, velocities, masses);
   return {motion.center, motion.angular_velocity};
@@ -278,22 +289,13 @@ Turning turning_with(const WorldState& world, const Body& body, const std::optio
 /// with it by momentum balance before contacts; these impulses do not act on the rotation (ElasticSystem::solve()).
 double centrifugal_work(const WorldState& world, const Body& body, const BodySnapshot& before,
                         const std::vector<Vec3>& external, double dt) {
-  const std::optional<Pivot> pivot = body.supported() ? pivot_of(world, body) : std::nullopt;
-  const auto count = static_cast<Eigen::Index>(body.nodes.size());
-  NodeVectors balanced(3, count), moved(3, count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const NodeId node = body.nodes[i];
-    balanced.col(i) = world.scratch.substep_start.velocities[node] + dt / world.nodes.masses[node] * external[node];
-    moved.col(i) = before.velocities[i];
-  }
-  balanced /= 1 + dt * world.material_of(body).mass_damping;
-  const auto [place, spin] = turning_with(world, body, pivot, before, balanced);
-  const Vec3 spin_after = turning_with(world, body, pivot, before, moved).spin;
+  const auto [place, spin] = spin_in_step(world, body, before, external, dt);
   double work = 0;
-  for (Eigen::Index i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     const Vec3 arm = before.positions[i] - place;
-    const Vec3 impulse = dt * world.nodes.masses[body.nodes[i]] * spin.cross(arm.cross(spin));
-    work += impulse.dot(moved.col(i) - spin_after.cross(arm));
+    const NodeId node = body.nodes[i];
+    const Vec3& deforming = world.scratch.substep_start.deforming_velocities[node];
+    work += dt * world.nodes.masses[node] * spin.cross(arm.cross(spin)).dot(deforming);
   }
   return work;
 }

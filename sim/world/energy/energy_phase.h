@@ -45,6 +45,8 @@ struct BodySnapshot {
   std::vector<Mat3> plastic_strains;           ///< per tet; empty unless it yields
 };
 BodySnapshot snapshot(const WorldState& world, const Body& body);
+/// Restores the plastic strains of a snapshot.
+void restore_plastic_strains(WorldState& world, const Body& body, const BodySnapshot& taken);
 /// Returns the stresses of its tets, as in ElementState; of quadratic ones those of their corners [Pa].
 std::vector<Mat3> stresses_of(const WorldState& world, const Body& body);
 

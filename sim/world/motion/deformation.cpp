@@ -34,8 +34,7 @@ void Deformation::take_contacts() {
 }
 
 void Deformation::place(const NodeVectors& e) {
-  for (std::size_t i = 0; i < before_.plastic_strains.size(); ++i)
-    world_.elements.plastic_strains[body_.tets[i]] = before_.plastic_strains[i];
+  restore_plastic_strains(world_, body_, before_);
   const NodeVectors places = start_ + dt_ * e;
   const std::span<const NodeId> nodes = body_.system->nodes();
   const std::span<const EdgeId> edges = body_.system->edges();

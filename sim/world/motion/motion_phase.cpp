@@ -101,8 +101,7 @@ void restore(WorldState& world, const Body& body, const BodySnapshot& taken) {
     world.edges.offsets[body.edges[i]] = taken.offsets[i];
     world.edges.velocities[body.edges[i]] = taken.edge_velocities[i];
   }
-  for (std::size_t i = 0; i < taken.plastic_strains.size(); ++i)
-    world.elements.plastic_strains[body.tets[i]] = taken.plastic_strains[i];
+  restore_plastic_strains(world, body, taken);
 }
 
 void move_nodes(WorldState& world, const Body& body, const std::vector<Vec3>& external, double dt) {
