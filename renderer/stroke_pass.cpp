@@ -32,9 +32,9 @@ void StrokePass::upload(const DrawScene& scene, float pixel_scale) {
 void StrokePass::draw() const {
   program_.use();
   glBindVertexArray(vertices_.id());
-  glEnable(GL_BLEND);
+  glEnablei(GL_BLEND, 0);  // some drivers write wrong ids with blending
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(strokes_.size()));
-  glDisable(GL_BLEND);
+  glDisablei(GL_BLEND, 0);
 }
 
 }  // namespace griffith::render
