@@ -1,6 +1,7 @@
 #include "sim/world/motion/equilibrium.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "sim/core/parallel.h"
 #include "sim/solver/static_solve.h"
@@ -87,6 +88,53 @@ void put_back(WorldState& world, Body& body, const BodySnapshot& before) {
   update_elements(world, body);
 }
 
+/// Nodes of a body that lie on the ground in equilibrium, without friction: those that would sink into it otherwise.
+/// Nodes that start below the ground are part of a foundation.
+class GroundedNodes {
+ public:
+  GroundedNodes(const WorldState& world, const Body& body, const BodySnapshot& before)
+      : body_(body), before_(before), is_on_ground_(body.nodes.size(), false) {
+    constexpr double kTouching = 1e-9;  // of the extent
+    if (const auto& ground = world.model->scene.ground) height_ = ground->height;
+    tolerance_ = kTouching * body.extent;
+  }
+
+  /// Updates the nodes after a solve: those below the ground join, those that it would have to pull leave. False if
+  /// nothing changes.
+  bool update(WorldState& world) {
+    bool changed = false;
+    for (std::size_t i = 0; i < body_.nodes.size(); ++i) {
+      const NodeId node = body_.nodes[i];
+      const bool sinks = before_.positions[i].y() >= height_ - tolerance_ &&
+                         world.nodes.positions[node].y() < height_ - tolerance_ &&
+                         world.nodes.constraints[node].allowed(1, 1) > 0.5;
+      const bool lies = is_on_ground_[i] ? world.nodes.reactions[node].y() >= 0 : sinks;
+      changed = changed || lies != is_on_ground_[i];
+      is_on_ground_[i] = lies;
+    }
+    return changed;
+  }
+
+  /// Lets nodes on the ground move down to it and no further.
+  void block(std::vector<NodeConstraint>& displacements) const {
+    for (std::size_t i = 0; i < body_.nodes.size(); ++i)
+      if (is_on_ground_[i])
+        displacements[body_.nodes[i]].block(Vec3::UnitY(), height_ - before_.positions[i].y());
+  }
+
+  /// Removes the ground's forces from the reactions of supports.
+  void leave_reactions(WorldState& world) const {
+    for (std::size_t i = 0; i < body_.nodes.size(); ++i)
+      if (is_on_ground_[i]) world.nodes.reactions[body_.nodes[i]].y() = 0;
+  }
+
+ private:
+  const Body& body_;
+  const BodySnapshot& before_;
+  std::vector<bool> is_on_ground_;
+  double height_ = -std::numeric_limits<double>::infinity(), tolerance_ = 0;
+};
+
 bool has_residual_stress(const WorldState& world, const Body& body) {
   return world.model->scene.bodies[body.scene_body].residual_stress.has_value();
 }
@@ -103,6 +151,7 @@ void start_in_motion(WorldState& world, Body& body, const std::vector<Vec3>& vel
 
 void find_equilibrium(WorldState& world, double time, double displacement_time,
                       const std::function<bool(const Body&)>& concerns, const Monitor& monitor) {
+  constexpr int kMostSolves = 30;
   std::vector<NodeConstraint> displacements = world.nodes.constraints;
   for (NodeConstraint& constraint : displacements) constraint.velocity *= displacement_time;
   ExternalForces loads = weights(world);
@@ -113,6 +162,18 @@ void find_equilibrium(WorldState& world, double time, double displacement_time,
     const BodySnapshot before = snapshot(world, body);
     const std::vector<Mat3> stresses = stresses_of(world, body);
     settle(world, body, problem_of(world, body, displacements, loads, pressed[body.id]), monitor);
+    GroundedNodes grounded(world, body, before);
+    for (int solve = 1; body.supported() && grounded.update(world); ++solve) {
+      put_back(world, body, before);
+      if (solve == kMostSolves) {
+        ++world.report.unconverged_solves;
+        break;
+      }
+      std::vector<NodeConstraint> above = displacements;
+      grounded.block(above);
+      settle(world, body, problem_of(world, body, above, loads, pressed[body.id]), monitor);
+    }
+    grounded.leave_reactions(world);
     if (has_run_away(world, body, before)) put_back(world, body, before);
     world.energy += spent_in_equilibrium(world, body, before, stresses, displacement_time);
     freeze_if_broken_down(world, body);
