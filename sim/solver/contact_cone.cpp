@@ -18,4 +18,9 @@ ConeProjection project_on_cone(const Vec3& asked, double friction) {
   return sliding;
 }
 
+bool sticks(const Vec3& impulse, double friction) {
+  constexpr double kOfCone = 1 - 1e-6;
+  return impulse[0] > 0 && impulse.tail<2>().norm() <= kOfCone * friction * impulse[0];
+}
+
 }  // namespace griffith

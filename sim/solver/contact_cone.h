@@ -14,5 +14,7 @@ struct ConeProjection {
 /// normal. Inside the cone it is the impulse itself (sticking), inside the polar cone 0 (open), else on the cone's
 /// surface (sliding). See Castro, Permenter & Han 2022, section IV.
 ConeProjection project_on_cone(const Vec3& asked, double friction);
+/// True if an impulse along the axes of a contact pushes and lies inside Coulomb's cone: the contact sticks.
+bool sticks(const Vec3& impulse, double friction);
 
 }  // namespace griffith

@@ -44,10 +44,13 @@ class ContactSolver {
       const FrictionContact& contact = contacts[i];
       round_.u.col(i) = contact.free_velocity;
       round_.impulses.col(i) = contact.impulse;
-      round_.lifts[i] = contact.friction * contact.free_velocity.tail<2>().norm();
+      const double sliding = contact.free_velocity.tail<2>().norm();
+      // What stuck goes on sticking, even where it could lift off as well (Painlevé 1895).
+      const bool stuck = sticks(contact.impulse, contact.friction);
+      round_.lifts[i] = stuck ? 0 : contact.friction * sliding;
       course_.push_back(softness_of(deformable, rigid, contact));
       round_.softness.push_back(course_[i].first);
-      to_change_ = std::max(to_change_, contact.target_velocity - contact.free_velocity[0]);
+      to_change_ = std::max({to_change_, contact.target_velocity - contact.free_velocity[0], stuck ? sliding : 0});
     }
     round_.outer_change = to_change_;
   }
@@ -191,7 +194,8 @@ class ContactSolver {
     constexpr int kMost = 30;
     Eigen::Matrix2Xd slope = Eigen::Matrix2Xd::Zero(2, round_.u.cols());  // of lifts by velocities
     for (Eigen::Index i = 0; i < round_.u.cols(); ++i)
-      if (is_sliding(i)) slope.col(i) = contacts_[i].friction * u.col(i).tail<2>().normalized();
+      if (round_.impulses(0, i) > 0 && !sticks(round_.impulses.col(i), contacts_[i].friction))
+        slope.col(i) = contacts_[i].friction * u.col(i).tail<2>().normalized();
     const auto multiply = [&](const Eigen::VectorXd& lifts) {
       Eigen::VectorXd change;
       preconditioner_.apply(impulses_on_bodies(impulses_of_lifts(lifts)), change);
@@ -199,13 +203,6 @@ class ContactSolver {
                              slope.cwiseProduct(motion_.of(change).bottomRows<2>()).colwise().sum().transpose());
     };
     return gmres(multiply, missing, kAccuracy, kMost);
-  }
-
-  bool is_sliding(Eigen::Index i) const {
-    constexpr double kOfCone = 1 - 1e-6;
-    const double friction = contacts_[i].friction;
-    return round_.impulses(0, i) > 0 &&
-           round_.impulses.col(i).tail<2>().norm() > kOfCone * friction * round_.impulses(0, i);
   }
 
   /// Lets all rows of the bodies respond. False where contacts then do not move as condensed bodies let them: rounds go

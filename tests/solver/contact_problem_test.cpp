@@ -99,6 +99,33 @@ TEST(ContactCone, DerivativeIsTheDifferenceQuotient) {
   }
 }
 
+TEST(ContactCone, OnlyWhatPushesWithinTheConeSticks) {
+  EXPECT_TRUE(sticks(Vec3(1, 0.3, -0.3), 0.5));
+  EXPECT_FALSE(sticks(Vec3(1, 0.4, -0.4), 0.5));
+  EXPECT_FALSE(sticks(Vec3(1, 0.3, -0.4), 0.5)) << "on the cone";
+  EXPECT_FALSE(sticks(Vec3::Zero(), 0.5));
+  EXPECT_FALSE(sticks(Vec3(-1, 0, 0), 0.5));
+}
+
+// Painlevé (1895): above µ = 4/3, a rod that leans by tan θ = 2 and is pulled along the floor can leave it or jam. Both
+// meet all laws; what stuck before sticks.
+TEST(ContactProblem, OfTwoSolutionsAContactKeepsTheOneThatItHad) {
+  const double cosine = std::sqrt(0.2), sine = std::sqrt(0.8);
+  const std::vector<RigidInertia> bodies = {{1.0, Mat3::Identity() / 3}};
+  FrictionContact contact = on_floor(0, -Vec3(cosine, sine, 0), 2, Vec3(-0.1, 0.001, 0));
+  std::vector<NodeVectors> changes;
+  for (const bool stuck : {true, false}) {
+    contact.impulse = stuck ? Vec3(contact.axes.transpose() * Vec3(0.03, 0.03, 0)) : Vec3::Zero();
+    std::vector<FrictionContact> contacts = {contact};
+    EXPECT_EQ(solve_contact_problem({}, bodies, contacts, kExact, changes).unconverged, 0);
+    const Vec3 velocity =
+        contacts[0].free_velocity + contact.axes.transpose() * change_at(bodies, contacts, contacts[0].a);
+    expect_laws(contacts[0], velocity, 1e-7, 1e-7);
+    EXPECT_EQ(contacts[0].impulse[0] > 0, stuck);
+    EXPECT_NEAR(velocity.norm(), stuck ? 0 : contacts[0].free_velocity.norm(), 1e-7);
+  }
+}
+
 struct RigidProblem {
   std::vector<RigidInertia> bodies;
   std::vector<FrictionContact> contacts;

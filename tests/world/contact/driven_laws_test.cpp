@@ -119,25 +119,53 @@ TEST_P(JammingLaw, ARodThatJamsEndsBounded) {
   testing::check_at_most("below the ground [m]", testing::depth_below(world.frame()), 1e-4);
 }
 
-// Its top is driven down along its axis by a thousandth of its length. Friction 2 holds the foot, as 2 > tan 40°.
+/// Material of a driven rod, so stiff that it bends by the same share under its weight at every size.
+Material rod_material(double size) {
+  Material stiff = testing::unbreakable(preset("rubber"));
+  stiff.young_modulus = 2e9 * size;
+  return stiff;
+}
+
+constexpr double kDrivenStrain = 0.001;
+
+/// A rod whose top is driven down along its axis by a thousandth of its length within .5 s. Friction 2 holds the foot,
+/// as 2 > tan 40°.
+Scene driven_rod(const ContactCase& at) {
+  const double duration = 0.5, lean = 40 * M_PI / 180;
+  Scene scene = leaning_rod(at, rod_material(at.size));
+  scene.bodies[0].supports = {driven(HalfSpaceRegion{Vec3(0, at.size / 2, 0), Vec3::UnitY()},
+                                     kDrivenStrain * at.size / duration * Vec3(std::sin(lean), -std::cos(lean), 0),
+                                     duration)};
+  return scene;
+}
+
 // Hooke: it takes at most ½ E V ε², with a force of at most E A ε; where it bends, less.
 TEST_P(JammingLaw, ARodDrivenIntoTheGroundTakesNoMoreThanItsStrain) {
   const ContactCase& at = GetParam();
-  Material stiff = testing::unbreakable(preset("rubber"));
-  stiff.young_modulus = 2e9 * at.size;  // so that it bends by the same share under its weight at every size
-  const double strain = 0.001, duration = 0.5, volume = at.size * at.size * at.size / 400;
-  Scene scene = leaning_rod(at, stiff);
-  const double lean = 40 * M_PI / 180;
-  scene.bodies[0].supports = {driven(HalfSpaceRegion{Vec3(0, at.size / 2, 0), Vec3::UnitY()},
-                                     strain * at.size / duration * Vec3(std::sin(lean), -std::cos(lean), 0), duration)};
-  World world(scene);
+  const Material stiff = rod_material(at.size);
+  const double volume = at.size * at.size * at.size / 400;
+  World world(driven_rod(at));
   testing::check_energy(world, 2);
   const double weight = stiff.density * volume * kEarthGravity;
-  testing::check_at_most("elastic energy [J]", world.frame().energy.elastic,
-                         0.5 * stiff.young_modulus * volume * strain * strain + weight * strain * at.size);
+  testing::check_at_most(
+      "elastic energy [J]", world.frame().energy.elastic,
+      0.5 * stiff.young_modulus * volume * kDrivenStrain * kDrivenStrain + weight * kDrivenStrain * at.size);
   testing::check_at_most("force of the support [N]", testing::sum_of_reactions(world.frame()).norm(),
-                         1.05 * stiff.young_modulus * volume / at.size * strain + weight);
+                         1.05 * stiff.young_modulus * volume / at.size * kDrivenStrain + weight);
   testing::check_at_most("below the ground [m]", testing::depth_below(world.frame()), 1e-4);
+}
+
+// The foot sticks from the start, so the force does not depend on the step.
+TEST(Jamming, TheForceOnADrivenRodDoesNotDependOnTheStep) {
+  std::vector<double> forces;
+  for (const double steps : {30, 60, 250}) {
+    World world(driven_rod({1, 1, 1 / steps}));
+    testing::run_to(world, 2);
+    EXPECT_LT(testing::depth_below(world.frame()), 1e-6) << "step 1/" << steps << " s";
+    forces.push_back(testing::sum_of_reactions(world.frame()).norm());
+  }
+  EXPECT_NEAR(forces[1], forces[0], 0.02 * forces[0]);
+  EXPECT_NEAR(forces[2], forces[0], 0.02 * forces[0]);
 }
 
 INSTANTIATE_TEST_SUITE_P(Grid, JammingLaw, ::testing::ValuesIn(testing::contact_cases({0.1, 1, 10})),
