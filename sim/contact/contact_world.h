@@ -163,10 +163,12 @@ class ContactWorld {
   /// right after detect().
   void drop_contacts_of(const std::vector<bool>& objects);
   /// Writes the impulses of a substep of `dt` [s] > 0 into contacts(), except those of groups of objects that touch
-  /// and of which one is elastic: their owner solves them by law() and hands in set_impulse(). What is hinged stands
-  /// still there. Its owner turns it by the impulses. Returns how many times a contact was solved, for those who count
-  /// work.
+  /// and of which one is elastic: their owner solves them by law() and hands in set_impulse(). The owner turns what is
+  /// hinged by the impulses. Returns how many times a contact was solved, for those who count work.
   int solve(double dt, std::span<const ElasticObject> elastic = {}, std::span<const HingedObject> hinged = {});
+  /// Leaves rigid groups at rest to the owner, too, in which the sweeps of the last solve() did not converge: few bodies,
+  /// such as a tower of bars, of which each is carried by many others. `dt` as there.
+  void leave_unsettled_groups(double dt);
   /// Returns the contacts of the groups that the last solve() left to the owner, each ascending.
   std::vector<std::vector<int>> elastic_groups() const;
   /// Law of a contact in the last solve().
@@ -174,13 +176,14 @@ class ContactWorld {
     Mat3 axes;                         ///< columns: the normal and two tangents
     double target_velocity = 0;        ///< least velocity of parting along the normal [m/s]
     double friction = 0;               ///< Coulomb's coefficient
-    Vec3 free_velocity, arm_a, arm_b;  ///< relative, without impulses [m/s]; from the centers of mass [m]
+    Vec3 free_velocity, arm_a, arm_b;  ///< relative, without impulses [m/s]; from the centers of mass or the hinges [m]
     Vec3 guess;                        ///< impulse along the axes, from the last substep [N·s]
   };
   Law law(int contact) const;
   /// Sets the impulse on a [N·s], world frame.
   void set_impulse(int contact, const Vec3& impulse) { contacts()[contact].impulse = impulse; }
-  /// Returns the mass and inertia, in the world frame, of an object that impulses move rigidly; empty for others.
+  /// Returns the mass and inertia, in the world frame, of an object that impulses move rigidly; empty for others. Those
+  /// of a hinged one are about its place, and let it hardly do anything but turn about its axes.
   std::optional<RigidMass> rigid_mass(ProxyId object) const;
   /// Sets the velocities of rigid objects by the impulses in contacts(), and moves the projectiles (swept, so that none
   /// passes through a thin body). Elastic objects of the last solve() keep the velocity that their owner has set.

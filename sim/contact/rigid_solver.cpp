@@ -31,7 +31,7 @@ struct Turn {
 class GroupStep {
  public:
   GroupStep(std::span<RigidBody> bodies, std::span<Motion> motions, std::span<Turn> turns,
-            std::span<RigidContact> contacts, const RigidGroup& group, double dt)
+            std::span<RigidContact> contacts, RigidGroup& group, double dt)
       : bodies_(bodies),
         motions_(motions),
         turns_(turns),
@@ -53,6 +53,7 @@ class GroupStep {
       sweeps += sweeps_.solve(kResidual * h_ * acceleration_, is_cold_);
       for (const int i : group_.bodies) move(i);
     }
+    group_.change = sweeps_.last_change();
     sweeps += rebound();
     push_apart(motions_, rows_, kPushedOut);
     finish();
@@ -190,7 +191,7 @@ class GroupStep {
   std::span<Motion> motions_;
   std::span<Turn> turns_;
   std::span<RigidContact> contacts_;
-  const RigidGroup& group_;
+  RigidGroup& group_;
   double dt_, h_;
   RigidRows rows_;
   RigidSweeps sweeps_;
@@ -200,7 +201,7 @@ class GroupStep {
 
 }  // namespace
 
-int solve_rigid(std::span<RigidBody> bodies, std::span<RigidContact> contacts, std::span<const RigidGroup> groups,
+int solve_rigid(std::span<RigidBody> bodies, std::span<RigidContact> contacts, std::span<RigidGroup> groups,
                 double dt) {
   std::vector<Motion> motions = motions_of(bodies);
   std::vector<Turn> turns(bodies.size());

@@ -40,6 +40,7 @@ struct RigidContact {
 /// Bodies connected by contacts: indices of both.
 struct RigidGroup {
   std::vector<int> bodies, contacts;
+  double change = 0;  ///< found: of a velocity by the last sweep, infinite for large groups [m/s]
 };
 
 /// Moves each group of rigid bodies through a step of `dt` [s] > 0 in substeps, each started from the impulses of the
@@ -49,7 +50,7 @@ struct RigidGroup {
 /// and angular. Overlaps go by displacements that add no velocity. What strikes parts at the end, by a velocity that
 /// leads back to restitution² of the height it fell from. Results do not depend on the threads. Returns how many times
 /// a contact was solved.
-int solve_rigid(std::span<RigidBody> bodies, std::span<RigidContact> contacts, std::span<const RigidGroup> groups,
+int solve_rigid(std::span<RigidBody> bodies, std::span<RigidContact> contacts, std::span<RigidGroup> groups,
                 double dt);
 
 }  // namespace griffith::contact

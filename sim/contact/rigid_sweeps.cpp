@@ -8,6 +8,8 @@ namespace {
 
 /// Largest work of a substep: rows times sweeps, and without remembered impulses.
 constexpr int kWork = 1'000, kMaxSweeps = 8, kColdWork = 60'000, kMaxColdSweeps = 200;
+/// Points above which a group gets one sweep, in parallel, whose change is not measured.
+constexpr int kMostMeasured = kWork;
 
 Triple relative_velocity(const Motion& a, const Motion& b, const Point& point) {
   return a.velocity + cross(a.spin, point.arm_a) - b.velocity - cross(b.spin, point.arm_b);
@@ -69,7 +71,7 @@ int RigidSweeps::solve(double tolerance, bool is_cold) {
   const int count = static_cast<int>(rows_.points.size());
   const int most =
       is_cold ? std::clamp(kColdWork / count, 1, kMaxColdSweeps) : std::clamp(kWork / count, 1, kMaxSweeps);
-  if (most == 1) {
+  if (most == 1 && count > kMostMeasured) {
     rows_.for_each_block([&](const Block& block) { relax(block); });
     return 1;
   }
@@ -77,7 +79,8 @@ int RigidSweeps::solve(double tolerance, bool is_cold) {
   for (Point& point : rows_.points) point.direction = Triple();
   for (int done = 1;; ++done) {
     for (Point& point : rows_.points) point.before = {point.normal, point.first, point.second};
-    if (sweep() <= tolerance || done == most) return done;
+    last_change_ = sweep();
+    if (last_change_ <= tolerance || done == most) return done;
     last_size = extrapolate(last_size);
   }
 }

@@ -2,6 +2,7 @@
 
 // Private to sim/contact: sweeps over the contacts of a group, which find the impulses of a substep.
 
+#include <limits>
 #include <span>
 
 #include "sim/contact/rigid_rows.h"
@@ -24,6 +25,9 @@ class RigidSweeps {
   /// where impulses are remembered than where all of them must be found (`is_cold`). Returns the sweeps.
   int solve(double tolerance, bool is_cold);
 
+  /// Largest change of a normal velocity by the last sweep of solve(); infinite if it was not measured [m/s].
+  double last_change() const { return last_change_; }
+
   /// Solves all contacts once, in sequence. Returns the largest change of a normal velocity [m/s].
   double sweep();
 
@@ -34,6 +38,7 @@ class RigidSweeps {
 
   std::span<Motion> motions_;
   RigidRows& rows_;
+  double last_change_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace griffith::contact

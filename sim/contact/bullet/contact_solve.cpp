@@ -47,8 +47,8 @@ double contact::distance_beyond(double distance, double allowed_overlap) {
 ContactWorld::Law ContactWorld::Impl::law_of(const Contact& contact, const Memory& memory, double dt) const {
   const Object &a = objects[contact.a], &b = objects[contact.b];
   Law law;
-  law.arm_a = contact.position - a.state.pose.translation;
-  law.arm_b = contact.position - b.state.pose.translation;
+  law.arm_a = contact.position - center(a);
+  law.arm_b = contact.position - center(b);
   law.axes = contact_axes(contact.normal);
   law.friction = std::sqrt(a.surface.friction * b.surface.friction);
   // The last impulse, as a mean force: contacts hardly turn.
@@ -110,24 +110,57 @@ int ContactWorld::Impl::solve(double dt, std::span<const ElasticObject> elastic,
 void ContactWorld::Impl::prepare_elastic_groups(double dt, std::span<const ElasticObject> elastic) {
   law_of_contact.assign(contacts.size(), -1);
   laws.clear();
-  for (const int i : elastic_contacts) {
-    law_of_contact[i] = static_cast<int>(laws.size());
-    laws.push_back(law_of(contacts[i], memories[i], dt));
-    laws.back().free_velocity =
-        rigid_velocity(contacts[i].a, laws.back().arm_a, dt) - rigid_velocity(contacts[i].b, laws.back().arm_b, dt);
-  }
+  for (const int i : elastic_contacts) add_law(i, dt);
   for (const ElasticObject& object : elastic)
     for (std::size_t point = 0; point < object.contacts.size(); ++point) {
       const int i = object.contacts[point];
       const Vec3 velocity = object.free_velocities.col(static_cast<Eigen::Index>(point));
       laws[law_of_contact[i]].free_velocity += contacts[i].a == object.object ? velocity : Vec3(-velocity);
     }
-  for (const int i : elastic_contacts) {
-    Law& law = laws[law_of_contact[i]];
-    contacts[i].approach = -contacts[i].normal.dot(law.free_velocity);
-    contacts[i].impulse.setZero();
-    law.target_velocity = target_velocity(contacts[i], dt);
+  for (const int i : elastic_contacts) set_target(i, dt);
+}
+
+/// Adds the law of a contact, with the velocities of its rigid sides.
+void ContactWorld::Impl::add_law(int contact, double dt) {
+  const Contact& of = contacts[contact];
+  law_of_contact[contact] = static_cast<int>(laws.size());
+  Law& law = laws.emplace_back(law_of(of, memories[contact], dt));
+  law.free_velocity = rigid_velocity(of.a, law.arm_a, dt) - rigid_velocity(of.b, law.arm_b, dt);
+}
+
+/// Sets what a contact's law asks for, once its velocity is known.
+void ContactWorld::Impl::set_target(int contact, double dt) {
+  Contact& of = contacts[contact];
+  Law& law = laws[law_of_contact[contact]];
+  of.approach = -of.normal.dot(law.free_velocity);
+  of.impulse.setZero();
+  law.target_velocity = target_velocity(of, dt);
+}
+
+/// True if a group is at rest, small, and its impulses are not found yet.
+bool ContactWorld::Impl::is_unsettled(const RigidGroup& group, double dt) const {
+  constexpr std::size_t kMostBodies = 64, kMostContacts = 800;
+  constexpr double kSolved = 1.5e-4, kAtRest = 2;  // of the speed that gravity adds in the substep
+  const double added = dt * gravity.norm();
+  const auto rests = [&](int i) { return objects[i].hinge < 0 && objects[i].speed() < kAtRest * added; };
+  return group.change > kSolved * added && group.bodies.size() <= kMostBodies &&
+         group.contacts.size() <= kMostContacts && std::ranges::all_of(group.bodies, rests);
+}
+
+void ContactWorld::Impl::leave_unsettled_groups(double dt) {
+  std::vector<int> left;
+  std::erase_if(rigid_groups, [&](const RigidGroup& group) {
+    if (!is_unsettled(group, dt)) return false;
+    for (const int body : group.bodies) moves_rigidly[body] = false;
+    for (const int row : group.contacts) left.push_back(scratch.contact_of_row[row]);
+    return true;
+  });
+  for (const int contact : left) {
+    add_law(contact, dt);
+    set_target(contact, dt);
   }
+  elastic_contacts.insert(elastic_contacts.end(), left.begin(), left.end());
+  std::ranges::sort(elastic_contacts);
 }
 
 /// Returns the velocity of a point of a rigid object without impulses; zero for an elastic one, whose owner knows it
@@ -135,6 +168,7 @@ void ContactWorld::Impl::prepare_elastic_groups(double dt, std::span<const Elast
 Vec3 ContactWorld::Impl::rigid_velocity(ProxyId id, const Vec3& arm, double dt) const {
   const Object& object = objects[id];
   if (object.elastic) return Vec3::Zero();
+  if (object.hinge >= 0) return hinged[object.hinge].spin.cross(arm);
   const Vec3 velocity = object.state.velocity + object.state.angular_velocity.cross(arm);
   return object.kind == Kind::projectile && object.moves() ? Vec3(velocity + dt * gravity) : velocity;
 }
@@ -144,8 +178,8 @@ std::vector<std::vector<int>> ContactWorld::Impl::elastic_groups() const {
   std::vector<int> index_of(objects.size(), -1);
   std::vector<std::vector<int>> found;
   for (const int i : elastic_contacts) {
-    const ProxyId object = objects[contacts[i].a].responds() ? contacts[i].a : contacts[i].b;
-    if (!objects[object].responds()) continue;
+    const ProxyId object = objects[contacts[i].a].yields() ? contacts[i].a : contacts[i].b;
+    if (!objects[object].yields()) continue;
     int& index = index_of[groups[object]];
     if (index < 0) {
       index = static_cast<int>(found.size());
@@ -160,7 +194,7 @@ std::vector<std::vector<int>> ContactWorld::Impl::elastic_groups() const {
 std::vector<std::pair<int, int>> ContactWorld::Impl::touching_pairs() const {
   std::vector<std::pair<int, int>> touching;
   for (const Contact& contact : contacts)
-    if (objects[contact.a].responds() && objects[contact.b].responds())
+    if (objects[contact.a].yields() && objects[contact.b].yields())
       touching.emplace_back(contact.a.index(), contact.b.index());
   return touching;
 }

@@ -191,10 +191,12 @@ void ContactWorld::drop_contacts_of(const std::vector<bool>& objects) { impl_->d
 int ContactWorld::solve(double dt, std::span<const ElasticObject> elastic, std::span<const HingedObject> hinged) {
   return impl_->solve(dt, elastic, hinged);
 }
+void ContactWorld::leave_unsettled_groups(double dt) { impl_->leave_unsettled_groups(dt); }
 std::vector<std::vector<int>> ContactWorld::elastic_groups() const { return impl_->elastic_groups(); }
 ContactWorld::Law ContactWorld::law(int contact) const { return impl_->laws[impl_->law_of_contact[contact]]; }
 std::optional<RigidMass> ContactWorld::rigid_mass(ProxyId object) const {
   const Object& found = impl_->objects[object];
+  if (found.hinge >= 0) return impl_->hinged_mass(found);
   if (!found.moves() || found.elastic) return {};
   const Mat3 rotation = found.state.pose.rotation.toRotationMatrix();
   return RigidMass{1 / found.inverse_mass, rotation * found.inverse_inertia.inverse() * rotation.transpose()};

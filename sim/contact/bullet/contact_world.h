@@ -231,11 +231,16 @@ struct ContactWorld::Impl : contact::ContactState {
   std::vector<int> drop_near_misses(double dt, std::span<const double> approach);
   int solve(double dt, std::span<const ElasticObject> elastic, std::span<const HingedObject> hinges);
   void prepare_elastic_groups(double dt, std::span<const ElasticObject> elastic);
+  void add_law(int contact, double dt);
+  void set_target(int contact, double dt);
+  bool is_unsettled(const contact::RigidGroup& group, double dt) const;
+  void leave_unsettled_groups(double dt);
   std::vector<std::vector<int>> elastic_groups() const;
   void split_groups();
   int solve_rigid_groups(double dt);
   contact::RigidBody rigid_body(const contact::Object& object, double dt) const;
   const Vec3& center(const contact::Object& object) const;
+  RigidMass hinged_mass(const contact::Object& object) const;
   contact::RigidContact rigid_contact(std::size_t contact, double dt) const;
   Law law_of(const Contact& contact, const contact::Memory& memory, double dt) const;
   Vec3 rigid_velocity(ProxyId id, const Vec3& arm, double dt) const;

@@ -89,6 +89,13 @@ const Vec3& ContactWorld::Impl::center(const Object& object) const {
   return object.hinge >= 0 ? hinged[object.hinge].place : object.state.pose.translation;
 }
 
+/// Returns the mass of a hinged object about its place, across whose axes it hardly turns.
+RigidMass ContactWorld::Impl::hinged_mass(const Object& object) const {
+  const HingedObject& hinge = hinged[object.hinge];
+  const Mat3 stiff = kHingedMobility * hinge.inverse_inertia.trace() * Mat3::Identity();
+  return {hinge.mass / kHingedMobility, (hinge.inverse_inertia + stiff).inverse()};
+}
+
 RigidContact ContactWorld::Impl::rigid_contact(std::size_t index, double dt) const {
   const Contact& contact = contacts[index];
   const Object &a = objects[contact.a], &b = objects[contact.b];

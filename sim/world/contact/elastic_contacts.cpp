@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/core/parallel.h"
+#include "sim/solver/contact_cone.h"
 #include "sim/solver/contact_problem.h"
 #include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
@@ -50,13 +51,16 @@ class GroupBuilder {
         touched_(touched),
         dt_(dt),
         body_of_object_(world.body_of_proxy.size() + world.projectiles.size() + 1, -1),
-        soft_(touched.bodies.size(), false) {
+        soft_(touched.bodies.size(), false),
+        held_(touched.bodies.size(), false) {
     for (std::size_t i = 0; i < touched.objects.size(); ++i) {
       if (world.bodies[touched.bodies[i].body].quasi_static) continue;
       const ElasticObject& object = touched.objects[i];
       grow(object.object);
       touched_of(object.object) = static_cast<int>(i);
-      soft_[i] = sags_visibly(world, world.bodies[touched.bodies[i].body]);
+      const Body& body = world.bodies[touched.bodies[i].body];
+      soft_[i] = sags_visibly(world, body);
+      held_[i] = body.supported();
       for (std::size_t k = 0; k < object.contacts.size(); ++k)
         points_.push_back({object.contacts[k], static_cast<int>(i), static_cast<int>(k)});
     }
@@ -66,8 +70,7 @@ class GroupBuilder {
   Group build(std::vector<int> contacts) {
     Group group;
     double fastest = 0;
-    for (const int contact : contacts)
-      fastest = std::max(fastest, std::as_const(world_.contact_world).contacts()[contact].approach);
+    for (const int contact : contacts) fastest = std::max(fastest, speed_to_stop(contact));
     for (const int contact : contacts) {
       const Contact& found = std::as_const(world_.contact_world).contacts()[contact];
       const ContactWorld::Law law = world_.contact_world.law(contact);
@@ -97,20 +100,31 @@ class GroupBuilder {
   }
   int& touched_of(ProxyId object) { return touched_of_object_[object.index()]; }
 
-  bool is_soft(ProxyId object) {
+  bool is_marked(const std::vector<bool>& marks, ProxyId object) {
     grow(object);
-    return touched_of(object) >= 0 && soft_[touched_of(object)];
+    return touched_of(object) >= 0 && marks[touched_of(object)];
+  }
+
+  /// Returns the speed that a contact has to stop, along the normal or, if it stuck, along the surface [m/s].
+  double speed_to_stop(int contact) const {
+    const ContactWorld::Law law = world_.contact_world.law(contact);
+    const Vec3 velocity = law.axes.transpose() * law.free_velocity;
+    return std::max(-velocity[0], sticks(law.guess, law.friction) ? velocity.tail<2>().norm() : 0);
   }
 
   /// Returns the least separation velocity [m/s]. A soft body closes its gap within the substep: stopped at once, like
-  /// a hard one, it would stay in the air by its speed times the step. Out of the ground it moves as slowly as the
-  /// tolerance of impulses let it in, so it receives no more energy than it lost there.
-  double target_velocity(const Contact& contact, double of_law, double fastest_approach) {
-    constexpr double kTolerance = 1e-3;  // of the fastest approach of the group: ten times that of its impulses
-    if (!is_soft(contact.a) && !is_soft(contact.b)) return of_law;
-    if (contact.distance > 0) return -contact.distance / dt_;
+  /// a hard one, it would stay in the air by its speed times the step. Out of the ground, soft and held bodies, which
+  /// nothing else moves out, go as slowly as the tolerance of impulses let them in, so they receive no more energy than
+  /// they lost there.
+  double target_velocity(const Contact& contact, double of_law, double fastest) {
+    constexpr double kTolerance = 1e-3;  // of the group's fastest: ten times that of its impulses
+    const bool soft = is_marked(soft_, contact.a) || is_marked(soft_, contact.b);
+    if (soft && contact.distance > 0) return -contact.distance / dt_;
     const bool is_on_ground = world_.contact_world.is_ground(contact.a) || world_.contact_world.is_ground(contact.b);
-    return is_on_ground ? std::min(-contact.distance / dt_, kTolerance * fastest_approach) : 0;
+    const bool held = is_marked(held_, contact.a) || is_marked(held_, contact.b);
+    if ((soft || held) && is_on_ground && contact.distance < 0)
+      return std::min(-contact.distance / dt_, kTolerance * fastest);
+    return soft ? 0 : of_law;
   }
 
   ContactSide side(Group& group, ProxyId object, int contact, const Vec3& arm) {
@@ -154,7 +168,7 @@ class GroupBuilder {
   double dt_;
   std::vector<int> body_of_object_;     // index in its group, -1 before
   std::vector<int> touched_of_object_;  // index into the touched bodies, -1 for what is not elastic
-  std::vector<bool> soft_;              // per touched body: visibly strained by its own weight
+  std::vector<bool> soft_, held_;       // per touched body: visibly strained by its own weight; held by supports
   std::vector<Point> points_;
 };
 
@@ -212,6 +226,7 @@ void solve_elastic_contacts(WorldState& world, TouchedBodies& touched, double dt
   for (std::size_t i = 0; i < touched.bodies.size(); ++i)
     touched.objects[i].free_velocities = point_velocities(world, touched.bodies[i]);
   world.contact_world.solve(dt, coupled_objects(world, touched), hinged_objects(world, touched, dt));
+  world.contact_world.leave_unsettled_groups(dt);
   std::vector<Group> groups;
   GroupBuilder builder(world, touched, dt);
   for (std::vector<int>& contacts : world.contact_world.elastic_groups())
