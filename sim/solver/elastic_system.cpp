@@ -280,13 +280,14 @@ SolveReport ElasticSystem::solve(const ImplicitStep& step, std::span<const Vec3>
 }
 
 void ElasticSystem::add_reactions(double dt, std::span<const Vec3> impulses,
-                                  std::span<const NodeConstraint> constraints, const NodeVectors& change) {
+                                  std::span<const NodeConstraint> constraints, const NodeVectors& change,
+                                  std::span<Vec3> reactions) const {
   const BlockSparseMatrix& a = support_rows_->matrix;
   for (int support = 0; support < a.rows(); ++support) {
     Vec3 impulse = -impulses[supports()[support]];
     for (int k = a.row_starts[support]; k < a.row_starts[support + 1]; ++k)
       if (const int row = row_of_support_column_[k]; row >= 0) impulse += a.blocks[k] * change.col(row);
-    reactions_[support] += (impulse - constraints[supports()[support]].allowed * impulse) / dt;
+    reactions[supports()[support]] += (impulse - constraints[supports()[support]].allowed * impulse) / dt;
   }
 }
 

@@ -100,14 +100,14 @@ class ElasticSystem {
   /// Returns the masses likewise, per row.
   Eigen::VectorXd gather_masses(std::span<const double> masses, std::span<const double> of_edges) const;
 
-  /// Returns the reactions of the supports in the last solve() and add_reactions(), per node of supports(): the force
-  /// on the node in its blocked directions [N], from the balance of its momentum.
+  /// Returns the reactions of the supports in the last solve(), per node of supports(): the force on the node in its
+  /// blocked directions [N], from the balance of its momentum.
   std::span<const Vec3> reaction_forces() const { return reactions_; }
 
-  /// Adds to reaction_forces() what supports do against `impulses` (per node of the mesh [N·s]) that come on top of the
-  /// forces of the last solve() and change the velocities of the rows by `change`.
+  /// Adds to `reactions` (per node of the mesh [N]) what supports do against `impulses` (likewise [N·s]) that come on
+  /// top of the forces of the last solve() and change the velocities of the rows by `change`.
   void add_reactions(double dt, std::span<const Vec3> impulses, std::span<const NodeConstraint> constraints,
-                     const NodeVectors& change);
+                     const NodeVectors& change, std::span<Vec3> reactions) const;
   /// Takes out of velocities, one column a row, what constraints block.
   void project(NodeVectors& x) const;
   const BlockSparseMatrix& matrix() const { return rows_->matrix; }
@@ -150,7 +150,7 @@ class ElasticSystem {
   CopyOnWrite<ElementRows> support_rows_;
   std::vector<SlidingRow> sliding_;
   std::vector<int> row_of_support_column_;             // per block of support_rows_, -1 for held nodes and edges
-  std::vector<Vec3> reactions_;                        // of the last solve() and add_reactions()
+  std::vector<Vec3> reactions_;                        // of the last solve()
   std::optional<CopyOnWrite<AssemblyInputs>> inputs_;  // of the matrix; none since the rows changed
   std::optional<CopyOnWrite<RigidModePreconditioner>> preconditioner_;
   std::optional<FactorPreconditioner> factors_;  // in its stead

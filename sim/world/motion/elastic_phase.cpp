@@ -104,6 +104,12 @@ void turn_forces_halfway(const WorldState& world, const Body& body, double dt, s
     forces[node] += world.nodes.masses[node] * change.cross(world.nodes.positions[node] - pivot->place);
 }
 
+/// Takes the `reactions` of the supports of a body, per node [N], from its system after a solve.
+void read_back_reactions(const Body& body, std::vector<Vec3>& reactions) {
+  const std::span<const NodeId> supports = body.system->supports();
+  for (std::size_t i = 0; i < supports.size(); ++i) reactions[supports[i]] = body.system->reaction_forces()[i];
+}
+
 SolveReport predict_elastic(WorldState& world, Body& body, std::vector<Vec3>& forces, double dt) {
   const bool has_inner_torque = world.material_of(body).yield_strength || !body.edges.empty();
   if (body.supported() && !world.integrates_explicitly()) turn_forces_halfway(world, body, dt, forces);
@@ -196,11 +202,6 @@ void assemble_system(const WorldState& world, Body& body, double dt) {
   body.system->assemble(implicit_step(world, body, dt), elastic_law(world.material_of(body)),
                         world.elements.rest_elements, world.elements.states, world.nodes.positions, world.nodes.masses,
                         world.edges.masses);
-}
-
-void read_back_reactions(const Body& body, std::vector<Vec3>& reactions) {
-  const std::span<const NodeId> supports = body.system->supports();
-  for (std::size_t i = 0; i < supports.size(); ++i) reactions[supports[i]] = body.system->reaction_forces()[i];
 }
 
 namespace {

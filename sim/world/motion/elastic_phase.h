@@ -23,7 +23,5 @@ ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt)
 /// Adds the elastic forces of a body's nodes to `forces`, per node of the mesh [N]; sets Scratch::edge_forces of its
 /// edges.
 void add_elastic_forces(const WorldState& world, const Body& body, std::vector<Vec3>& forces, Scratch& scratch);
-/// Takes the `reactions` of the supports of a body, per node [N], from its system after a solve.
-void read_back_reactions(const Body& body, std::vector<Vec3>& reactions);
 
 }  // namespace griffith
