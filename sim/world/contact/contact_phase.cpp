@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "sim/core/parallel.h"
@@ -13,6 +14,7 @@
 #include "sim/world/contact/elastic_contacts.h"
 #include "sim/world/contact/face_contacts.h"
 #include "sim/world/contact/large_strains.h"
+#include "sim/world/contact/pressure_distribution.h"
 #include "sim/world/contact/quasi_static.h"
 #include "sim/world/contact/touched_body.h"
 #include "sim/world/energy/energy_phase.h"
@@ -167,24 +169,56 @@ void add_changes(WorldState& world, const TouchedBody& touched) {
     world.edges.velocities[edges[i]] += touched.change.col(row);
 }
 
-/// Returns the impulses on an elastic object at its contacts, one column each.
-Eigen::Matrix3Xd impulses_on(const WorldState& world, const ElasticObject& object) {
-  const std::span<const Contact> contacts = world.contact_world.contacts();
-  Eigen::Matrix3Xd impulses(3, static_cast<Eigen::Index>(object.contacts.size()));
-  for (Eigen::Index k = 0; k < impulses.cols(); ++k) {
+/// Impulses on a body and where they act.
+struct LoadedBody {
+  TouchedBody at;
+  Eigen::Matrix3Xd impulses;  ///< one column a point [N·s]
+};
+
+/// Adds the impulses at the contacts of an object, except those that are replaced.
+void add_impulses(std::span<const Contact> contacts, const std::vector<bool>& replaced, const TouchedBody& touched,
+                  const ElasticObject& object, LoadedBody& loaded) {
+  for (std::size_t k = 0; k < object.contacts.size(); ++k) {
+    if (replaced[object.contacts[k]]) continue;
     const Contact& contact = contacts[object.contacts[k]];
-    impulses.col(k) = contact.a == object.object ? contact.impulse : Vec3(-contact.impulse);
+    loaded.impulses.col(static_cast<Eigen::Index>(loaded.at.points.size())) =
+        contact.a == object.object ? contact.impulse : Vec3(-contact.impulse);
+    loaded.at.points.push_back(touched.points[k]);
   }
-  return impulses;
+}
+
+/// Adds the impulses at nodes of an object.
+void add_spread_impulses(const WorldState& world, const std::vector<Contact>& spread, ProxyId object,
+                         LoadedBody& loaded) {
+  std::optional<SurfaceSearch> surface;
+  for (const Contact& contact : spread) {
+    if (contact.a != object && contact.b != object) continue;
+    const NodeId node = contact.a == object ? contact.node_a : contact.node_b;
+    if (!node.valid() && !surface) surface.emplace(world, world.bodies[loaded.at.body]);
+    loaded.impulses.col(static_cast<Eigen::Index>(loaded.at.points.size())) =
+        contact.a == object ? contact.impulse : Vec3(-contact.impulse);
+    loaded.at.points.push_back(node.valid() ? touched_node(world, node, contact.position)
+                                            : touched_point(world, *surface, contact.position));
+  }
+}
+
+LoadedBody loads_on(const WorldState& world, const TouchedBody& touched, const ElasticObject& object,
+                    const SpreadContacts& spread) {
+  const std::span<const Contact> contacts = world.contact_world.contacts();
+  LoadedBody loaded{{touched.body, {}, {}, {}}, {}};
+  loaded.impulses.resize(3, static_cast<Eigen::Index>(object.contacts.size() + spread.added.size()));
+  add_impulses(contacts, spread.replaced, touched, object, loaded);
+  if (world.bodies[touched.body].quasi_static) add_spread_impulses(world, spread.added, object.object, loaded);
+  loaded.impulses.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(loaded.at.points.size()));
+  return loaded;
 }
 
 /// Moves a body by the impulses at its contacts.
-void respond(WorldState& world, TouchedBody& touched, const ElasticObject& object, double dt) {
+void respond(WorldState& world, TouchedBody& touched, const LoadedBody& loaded, double dt) {
   Body& body = world.bodies[touched.body];
-  const Eigen::Matrix3Xd impulses = impulses_on(world, object);
-  if (impulses.isZero(0)) return;
+  if (loaded.impulses.isZero(0)) return;
   std::vector<Vec3>& nodal = world.scratch.contact_impulses;
-  add_nodal_impulses(world, touched, impulses, nodal);
+  add_nodal_impulses(world, loaded.at, loaded.impulses, nodal);
   if (body.quasi_static) {
     const ImplicitStep step = implicit_step(world, body, dt);
     touched.change = respond_alone(deformable_inertia(world, body, dt), body.system->gather(nodal),
@@ -194,19 +228,20 @@ void respond(WorldState& world, TouchedBody& touched, const ElasticObject& objec
     touched.change = respond_explicitly(world, body, dt, nodal);
   } else {
     body.system->project(touched.change);
-    body.system->add_reactions(dt, nodal, world.nodes.constraints, touched.change);
-    read_back_reactions(body, world.nodes.reactions);
+    body.system->add_reactions(dt, nodal, world.nodes.constraints, touched.change, world.nodes.reactions);
   }
   add_changes(world, touched);
   if (body.quasi_static && !reaches_equilibrium(world, body, dt)) keep_whole_motion(world, body);
-  world.scratch.bodies[body.id].contact_work = impulses.cwiseProduct(point_velocities(world, touched)).sum();
+  world.scratch.bodies[body.id].contact_work = loaded.impulses.cwiseProduct(point_velocities(world, loaded.at)).sum();
 }
 
 void respond(WorldState& world, TouchedBodies& touched, double dt) {
   world.scratch.contact_impulses.assign(world.nodes.positions.size(), Vec3::Zero());
   for (const TouchedBody& of : touched.bodies) world.scratch.bodies[of.body].contact_work = 0;
+  const SpreadContacts spread = spread_impulses(world);
   parallel_for(static_cast<int>(touched.bodies.size()), 1, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) respond(world, touched.bodies[i], touched.objects[i], dt);
+    for (int i = begin; i < end; ++i)
+      respond(world, touched.bodies[i], loads_on(world, touched.bodies[i], touched.objects[i], spread), dt);
   });
   for (const TouchedBody& of : touched.bodies) world.energy.contacts -= world.scratch.bodies[of.body].contact_work;
 }

@@ -12,13 +12,14 @@
 #include "sim/core/sort_unique.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/contact/quasi_static.h"
 
 namespace griffith {
 namespace {
 
 constexpr double kAlike = 0.95;        // cosine between normals of one face
 constexpr double kReach = 0.5;         // of an element: farther nodes do not touch
-constexpr double kGroundReach = 0.02;  // of an element: a gap that still counts as touching the ground
+constexpr double kTouchingReach = 0.02;  // of an element: a gap that still counts as touching
 constexpr double kForesight = 2;       // of the way of a node in a substep
 constexpr double kClosing = 0.9;       // of it: the gap closes in the substep, which ends before what microsteps follow
 constexpr double kSamePlace = 0.01;    // of an element
@@ -49,37 +50,53 @@ struct Face {
   double widest = 0;
 };
 
-/// Two bodies whose faces meet, with the `normal` from b to a and an approximate place.
+/// Two bodies whose faces meet, with the `normal` from b to a, an approximate place and the contacts there.
 struct FacePair {
   ProxyId a, b;
   Vec3 normal;
   Eigen::AlignedBox3d patch;
+  std::vector<int> contacts = {};
 };
 
 bool is_of_nodes(const Contact& contact) { return contact.node_a.valid() || contact.node_b.valid(); }
 
-bool is_elastic(const WorldState& world, BodyId id) { return id.valid() && world.bodies[id].is_deformable(); }
-
-/// Returns the overlap of two bodies up to which their faces still meet [m]: detection finds overlaps of rounding
-/// errors between touching bodies. Harder bodies keep the points of their proxies.
-double negligible_overlap(const WorldState& world, BodyId a, BodyId b) {
-  constexpr double kRounding = 1e-6;  // of an element
-  const bool is_soft = deforms_visibly(world, world.bodies[a]) || deforms_visibly(world, world.bodies[b]);
-  return is_soft ? kRounding * world.bodies[a].element_size : 0;
+/// True if impulses deform an object together with its neighbors.
+bool is_coupled(const WorldState& world, ProxyId object) {
+  const BodyId id = world.body_of(object);
+  return id.valid() && world.bodies[id].is_deformable() && !world.bodies[id].quasi_static;
 }
 
-/// Returns groups of at least three detected contacts of two bodies with similar normals.
-std::vector<FacePair> face_pairs(const WorldState& world) {
+bool is_any_coupled(const WorldState& world, const Contact& contact) {
+  return is_coupled(world, contact.a) || is_coupled(world, contact.b);
+}
+
+/// True if two objects touch as rigid ones, and what they do deforms one of them afterwards.
+bool is_any_quasi_static(const WorldState& world, const Contact& contact) {
+  const auto is_quasi_static = [&](ProxyId object) {
+    const BodyId id = world.body_of(object);
+    return id.valid() && world.bodies[id].is_deformable() && world.bodies[id].quasi_static;
+  };
+  return !is_any_coupled(world, contact) && (is_quasi_static(contact.a) || is_quasi_static(contact.b));
+}
+
+/// Overlap of two bodies up to which their faces still meet [elements]: detection finds overlaps of rounding errors
+/// between touching bodies.
+constexpr double kNegligibleOverlap = 1e-6;
+
+/// Returns groups of at least three detected contacts of two bodies with similar normals, of contacts that `matters`.
+std::vector<FacePair> face_pairs(const WorldState& world, bool (*matters)(const WorldState&, const Contact&)) {
   struct FaceGroup {
     FacePair pair;
-    int count = 0;
     bool spread = false;
   };
   std::map<std::pair<ProxyId, ProxyId>, std::vector<FaceGroup>> groups;
-  for (const Contact& contact : world.contact_world.contacts()) {
+  const std::span<const Contact> contacts = world.contact_world.contacts();
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Contact& contact = contacts[i];
     const BodyId a = world.body_of(contact.a), b = world.body_of(contact.b);
-    if (!a.valid() || !b.valid() || (!is_elastic(world, a) && !is_elastic(world, b))) continue;
-    if (world.contact_world.allowed_overlap(contact.a, contact.b) > negligible_overlap(world, a, b)) continue;
+    if (!a.valid() || !b.valid() || !matters(world, contact)) continue;
+    const double overlap = world.contact_world.allowed_overlap(contact.a, contact.b);
+    if (overlap > kNegligibleOverlap * world.bodies[a].element_size) continue;
     std::vector<FaceGroup>& of_pair = groups[{contact.a, contact.b}];
     auto group = std::ranges::find_if(
         of_pair, [&](const FaceGroup& other) { return other.pair.normal.dot(contact.normal) > kAlike; });
@@ -87,27 +104,27 @@ std::vector<FacePair> face_pairs(const WorldState& world) {
       group = of_pair.insert(of_pair.end(), FaceGroup{{contact.a, contact.b, contact.normal, {}}});
     group->pair.patch.extend(contact.position);
     group->spread |= is_of_nodes(contact);
-    ++group->count;
+    group->pair.contacts.push_back(static_cast<int>(i));
   }
   std::vector<FacePair> pairs;
   for (const auto& [objects, of_pair] : groups)
     for (const FaceGroup& group : of_pair)
-      if (group.count >= 3 && !group.spread) pairs.push_back(group.pair);
+      if (group.pair.contacts.size() >= 3 && !group.spread) pairs.push_back(group.pair);
   return pairs;
 }
 
 /// Returns the faces of a side: 1 for those that face along the normal, −1 for those against it.
-Face face_of(const WorldState& world, const Body& body, const FaceFrame& frame, double side,
-             const Eigen::AlignedBox3d& region) {
+Face face_of(const WorldState& world, const std::vector<Vec3>& places, const Body& body, const FaceFrame& frame,
+             double side, const Eigen::AlignedBox3d& region) {
   Face face;
   std::set<NodeId> nodes;
   for (const SurfaceFace& surface : body.surface) {
     const std::array<NodeId, 3> ids = face_nodes(world.mesh, surface.tet, surface.face);
     FaceTriangle triangle;
     Eigen::AlignedBox3d box;
-    for (int i = 0; i < 3; ++i) box.extend(world.nodes.positions[ids[i]]);
+    for (int i = 0; i < 3; ++i) box.extend(places[ids[i]]);
     if (!region.intersects(box)) continue;
-    for (int i = 0; i < 3; ++i) triangle.corners[i] = frame.axes * world.nodes.positions[ids[i]];
+    for (int i = 0; i < 3; ++i) triangle.corners[i] = frame.axes * places[ids[i]];
     const auto& [p, q, r] = triangle.corners;
     const Vec3 area = (q - p).cross(r - p);
     if (side * area.z() < kAlike * area.norm()) continue;
@@ -156,16 +173,18 @@ const FaceNode* node_at(const std::vector<FaceNode>& nodes, const Vec3& point, d
 }
 
 /// Adds contacts at nodes of both faces within reach of the other.
-void add_face_contacts(const WorldState& world, const FacePair& pair, std::vector<Contact>& added) {
+void add_face_contacts(const WorldState& world, const std::vector<Vec3>& places, const FacePair& pair,
+                       std::vector<Contact>& added) {
   const Body &a = world.bodies[world.body_of(pair.a)], &b = world.bodies[world.body_of(pair.b)];
   const double size = std::min(a.element_size, b.element_size), reach = kReach * size;
   Eigen::AlignedBox3d region = pair.patch;
   region.extend(Vec3(pair.patch.min().array() - reach));
   region.extend(Vec3(pair.patch.max().array() + reach));
   const FaceFrame frame(pair.normal);
-  const Face face_a = face_of(world, a, frame, -1, region), face_b = face_of(world, b, frame, 1, region);
+  const Face face_a = face_of(world, places, a, frame, -1, region),
+             face_b = face_of(world, places, b, frame, 1, region);
   const auto add = [&](const FaceNode& node, double distance, double to_middle, NodeId node_a, NodeId node_b) {
-    const Vec3 middle = world.nodes.positions[node.node] + to_middle * pair.normal;
+    const Vec3 middle = places[node.node] + to_middle * pair.normal;
     if (std::abs(distance) < reach)
       added.push_back({pair.a, pair.b, middle, pair.normal, distance, 0, Vec3::Zero(), node_a, node_b});
   };
@@ -185,9 +204,9 @@ void add_face_contacts(const WorldState& world, const FacePair& pair, std::vecto
     }
 }
 
-/// True if the ground acts on a body: where it stands still on supports, they carry it.
+/// True if the ground acts on a body and deforms it: where it stands still on supports, they carry it.
 bool may_lie_on_ground(const WorldState& world, const Body& body, ProxyId ground) {
-  if (!body.is_deformable() || body.explicit_state) return false;
+  if (!is_coupled(world, body.proxy) || body.explicit_state) return false;
   if (!body.supported()) return true;
   const auto is_this = [&](const Contact& contact) {
     return (contact.a == body.proxy && contact.b == ground) || (contact.b == body.proxy && contact.a == ground);
@@ -196,9 +215,9 @@ bool may_lie_on_ground(const WorldState& world, const Body& body, ProxyId ground
 }
 
 /// Adds the nodes of a body that touch the ground, or may in a substep of `dt` [s].
-void add_ground_contacts(const WorldState& world, const Body& body, ProxyId ground, double dt,
-                         std::vector<Contact>& added) {
-  const double height = world.model->scene.ground->height, reach = kGroundReach * body.element_size;
+void add_ground_contacts(const WorldState& world, const std::vector<Vec3>& places, const Body& body, ProxyId ground,
+                         double dt, std::vector<Contact>& added) {
+  const double height = world.model->scene.ground->height, reach = kTouchingReach * body.element_size;
   const double fall = std::max(0.0, -dt * dt * world.model->scene.gravity.y());
   const bool has_microsteps = world.model->scene.simulation.integrator == Integrator::hybrid;
   const double left_to_microsteps =
@@ -212,20 +231,35 @@ void add_ground_contacts(const WorldState& world, const Body& body, ProxyId grou
       const double speed = std::max(fastest, -world.nodes.velocities[node].y());
       const double foresight = speed < left_to_microsteps ? kForesight : kClosing;
       if (!world.nodes.has_support[node] &&
-          world.nodes.positions[node].y() - height < reach + foresight * (dt * speed + fall))
+          places[node].y() - height < reach + foresight * (dt * speed + fall))
         nodes.push_back(node);
     }
   sort_unique(nodes);
   for (const NodeId node : nodes) {
-    const double distance = world.nodes.positions[node].y() - height;
-    const Vec3 middle = world.nodes.positions[node] - 0.5 * distance * Vec3::UnitY();
+    const double distance = places[node].y() - height;
+    const Vec3 middle = places[node] - 0.5 * distance * Vec3::UnitY();
     added.push_back({body.proxy, ground, middle, Vec3::UnitY(), distance, 0, Vec3::Zero(), node, NodeId()});
   }
 }
 
+/// Returns the contacts of a body with the ground as a patch.
+FacePatch ground_patch(const WorldState& world, const std::vector<Vec3>& places, const Body& body, ProxyId ground,
+                       std::vector<int> contacts) {
+  FacePatch patch{std::move(contacts), {}};
+  const double height = world.model->scene.ground->height;
+  std::vector<NodeId> nodes;
+  for (const SurfaceFace& face : body.surface)
+    for (const NodeId node : face_nodes(world.mesh, face.tet, face.face))
+      if (places[node].y() - height < kTouchingReach * body.element_size) nodes.push_back(node);
+  sort_unique(nodes);
+  for (const NodeId node : nodes)
+    patch.nodes.push_back({body.proxy, ground, places[node], Vec3::UnitY(), 0, 0, Vec3::Zero(), node, NodeId()});
+  return patch;
+}
+
 /// Adds what elastic bodies have on the ground, once for each, and marks what was detected there.
-void add_all_ground_contacts(const WorldState& world, double dt, std::vector<Contact>& added,
-                             std::vector<bool>& replaced) {
+void add_all_ground_contacts(const WorldState& world, const std::vector<Vec3>& places, double dt,
+                             std::vector<Contact>& added, std::vector<bool>& replaced) {
   const std::optional<ProxyId> ground = world.contact_world.ground();
   if (!ground) return;
   const std::span<const Contact> contacts = world.contact_world.contacts();
@@ -236,7 +270,7 @@ void add_all_ground_contacts(const WorldState& world, double dt, std::vector<Con
         if (other == *ground) known.insert(side);
   for (const Body& body : world.bodies)
     if (may_lie_on_ground(world, body, *ground) && !known.contains(body.proxy)) {
-      add_ground_contacts(world, body, *ground, dt, added);
+      add_ground_contacts(world, places, body, *ground, dt, added);
       done.insert(body.proxy);
     }
   for (std::size_t i = 0; i < contacts.size(); ++i)
@@ -270,13 +304,49 @@ SpreadContacts spread_contacts(const WorldState& world, double dt) {
   const std::span<const Contact> contacts = world.contact_world.contacts();
   SpreadContacts result{std::vector<bool>(contacts.size(), false), {}};
   auto& [replaced, added] = result;
-  add_all_ground_contacts(world, dt, added, replaced);
-  for (const FacePair& pair : face_pairs(world)) add_face_contacts(world, pair, added);
+  const std::vector<Vec3> places = touching_places(world);
+  add_all_ground_contacts(world, places, dt, added, replaced);
+  for (const FacePair& pair : face_pairs(world, is_any_coupled)) add_face_contacts(world, places, pair, added);
   if (added.empty()) return {};
   std::ranges::stable_sort(added, std::ranges::less(), objects_of);
   for (std::size_t i = 0; i < contacts.size(); ++i)
     if (is_doubled(contacts[i], added, kSamePlace * element_size(world, contacts[i]))) replaced[i] = true;
   return result;
+}
+
+namespace {
+
+/// Drops nodes that are farther from the other side than those that touch.
+void keep_touching(const WorldState& world, std::vector<Contact>& nodes) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Contact& node : nodes) least = std::min(least, node.distance);
+  std::erase_if(nodes, [&](const Contact& node) {
+    return node.distance > least + kTouchingReach * element_size(world, node);
+  });
+}
+
+}  // namespace
+
+std::vector<FacePatch> rigid_patches(const WorldState& world) {
+  std::vector<FacePatch> patches;
+  const std::span<const Contact> contacts = world.contact_world.contacts();
+  if (std::ranges::none_of(contacts, [&](const Contact& contact) { return is_any_quasi_static(world, contact); }))
+    return patches;
+  const std::vector<Vec3> places = touching_places(world);
+  for (FacePair& pair : face_pairs(world, is_any_quasi_static)) {
+    FacePatch& patch = patches.emplace_back();
+    add_face_contacts(world, places, pair, patch.nodes);
+    keep_touching(world, patch.nodes);
+    patch.contacts = std::move(pair.contacts);
+  }
+  const std::optional<ProxyId> ground = world.contact_world.ground();
+  std::map<BodyId, std::vector<int>> on_ground;
+  for (std::size_t i = 0; ground && i < contacts.size(); ++i)
+    if ((contacts[i].a == *ground || contacts[i].b == *ground) && is_any_quasi_static(world, contacts[i]))
+      on_ground[world.body_of(contacts[i].a == *ground ? contacts[i].b : contacts[i].a)].push_back(static_cast<int>(i));
+  for (auto& [body, of_body] : on_ground)
+    patches.push_back(ground_patch(world, places, world.bodies[body], *ground, std::move(of_body)));
+  return patches;
 }
 
 }  // namespace griffith

@@ -50,6 +50,17 @@ std::vector<int> group_sizes(const WorldState& world) {
 
 }  // namespace
 
+std::vector<Vec3> touching_places(const WorldState& world) {
+  std::vector<Vec3> places = world.nodes.positions;
+  for (const Body& body : world.bodies) {
+    if (!body.quasi_static || !body.is_deformable()) continue;
+    const Mat3 rotation = body.orientation.toRotationMatrix();
+    for (std::size_t i = 0; i < body.nodes.size(); ++i)
+      places[body.nodes[i]] = body.motion.center + rotation * body.reference_arms.col(static_cast<Eigen::Index>(i));
+  }
+  return places;
+}
+
 bool reaches_equilibrium(const WorldState& world, const Body& body, double dt) {
   return body.extent < dt * bar_wave_speed(world.material_of(body));
 }

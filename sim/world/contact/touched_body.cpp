@@ -6,6 +6,7 @@
 #include "sim/core/parallel.h"
 #include "sim/core/rotation.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/motion/turning.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {
@@ -56,6 +57,15 @@ void list_contacts(const WorldState& world, TouchedBodies& touched) {
 
 }  // namespace
 
+TouchedPoint touched_node(const WorldState& world, NodeId node, const Vec3& place) {
+  return {{{node, node, node}, Vec3::UnitX()}, node, place, world.nodes.positions[node]};
+}
+
+TouchedPoint touched_point(const WorldState& world, const SurfaceSearch& surface, const Vec3& place) {
+  const SurfacePoint point = surface.closest(place);
+  return {point, NodeId(), place, surface_position(world, point)};
+}
+
 TouchedBodies touched_bodies(const WorldState& world) {
   TouchedBodies touched;
   list_contacts(world, touched);
@@ -79,9 +89,10 @@ Vec3 middle_from(const Contact& contact, const Vec3& point, double side) {
   return point - side * 0.5 * contact.distance * contact.normal;
 }
 
-void correct_places(TouchedBodies& touched, std::span<Contact> contacts) {
+void correct_places(const WorldState& world, TouchedBodies& touched, std::span<Contact> contacts) {
   std::vector<int> known(contacts.size(), 0);
-  for (std::size_t i = 0; i < touched.bodies.size(); ++i)
+  for (std::size_t i = 0; i < touched.bodies.size(); ++i) {
+    if (world.bodies[touched.bodies[i].body].quasi_static) continue;  // it touches as its proxy
     for (std::size_t k = 0; k < touched.bodies[i].points.size(); ++k) {
       Contact& contact = contacts[touched.objects[i].contacts[k]];
       if (contact.node_a.valid() || contact.node_b.valid()) continue;
@@ -90,6 +101,7 @@ void correct_places(TouchedBodies& touched, std::span<Contact> contacts) {
       int& sides = known[touched.objects[i].contacts[k]];
       contact.position = sides++ == 0 ? middle : Vec3(0.5 * (contact.position + middle));
     }
+  }
   for (std::size_t i = 0; i < touched.bodies.size(); ++i)
     for (std::size_t k = 0; k < touched.bodies[i].points.size(); ++k)
       touched.bodies[i].points[k].contact = contacts[touched.objects[i].contacts[k]].position;
@@ -100,6 +112,7 @@ void correct_places(TouchedBodies& touched, std::span<Contact> contacts) {
 void fit_contacts(const WorldState& world, TouchedBodies& touched, std::span<Contact> contacts) {
   for (std::size_t i = 0; i < touched.bodies.size(); ++i) {
     const Body& body = world.bodies[touched.bodies[i].body];
+    if (body.quasi_static) continue;
     for (std::size_t k = 0; k < touched.bodies[i].points.size(); ++k) {
       const TouchedPoint& point = touched.bodies[i].points[k];
       Contact& contact = contacts[touched.objects[i].contacts[k]];
@@ -108,7 +121,7 @@ void fit_contacts(const WorldState& world, TouchedBodies& touched, std::span<Con
       contact.distance += side * contact.normal.dot(point.position - proxy_position(body, point.surface));
     }
   }
-  correct_places(touched, contacts);
+  correct_places(world, touched, contacts);
 }
 
 std::vector<double> approach_speeds(const WorldState& world, const TouchedBodies& touched) {
@@ -147,9 +160,31 @@ void keep_contacts(TouchedBodies& touched, std::span<const int> index) {
   }
 }
 
+namespace {
+
+/// Rotation of a body as a whole that impulses off its surface change.
+struct WholeRotation {
+  Vec3 center = Vec3::Zero();            ///< center of mass or pivot [m]
+  Mat3 inverse_inertia = Mat3::Zero();   ///< about it; 0 across the axes of a pivot [1/(kg·m²)]
+  Vec3 spin = Vec3::Zero();              ///< [rad/s]
+};
+
+/// Returns the rotation of a free body or of a quasi-static one that turns about a pivot. Others have none: contacts of
+/// deforming bodies at supports lie on their surface.
+WholeRotation rotation_of(const WorldState& world, const Body& body) {
+  if (!body.supported())
+    return {body.motion.center, body.motion.inertia.inverse(), motion_of(world, body).angular_velocity};
+  const std::optional<Pivot> pivot = body.quasi_static ? pivot_of(world, body) : std::nullopt;
+  if (!pivot) return {};
+  const Turning turning = turning_of(world, body, *pivot);
+  const Eigen::MatrixXd about_axes = pivot->axes.transpose() * turning.inertia * pivot->axes;
+  return {pivot->place, pivot->axes * about_axes.inverse() * pivot->axes.transpose(), turning.spin};
+}
+
+}  // namespace
+
 Eigen::Matrix3Xd point_velocities(const WorldState& world, const TouchedBody& touched) {
-  const Body& body = world.bodies[touched.body];
-  const Vec3 spin = body.supported() ? Vec3(Vec3::Zero()) : motion_of(world, body).angular_velocity;
+  const Vec3 spin = rotation_of(world, world.bodies[touched.body]).spin;
   Eigen::Matrix3Xd velocities(3, static_cast<Eigen::Index>(touched.points.size()));
   for (std::size_t k = 0; k < touched.points.size(); ++k) {
     const TouchedPoint& point = touched.points[k];
@@ -178,10 +213,11 @@ void add_nodal_impulses(const WorldState& world, const TouchedBody& touched, con
     for (int i = 0; i < 3; ++i) nodal[point.surface.nodes[i]] += point.surface.weights[i] * impulses.col(k);
     torque += (point.contact - point.position).cross(impulses.col(k));
   }
-  if (body.supported()) return;
-  const Vec3 spin = body.motion.inertia.inverse() * torque;
+  const WholeRotation whole = rotation_of(world, body);
+  const Vec3 spin = whole.inverse_inertia * torque;
+  if (spin.isZero(0)) return;
   for (NodeId node : body.nodes)
-    nodal[node] += world.nodes.masses[node] * spin.cross(world.nodes.positions[node] - body.motion.center);
+    nodal[node] += world.nodes.masses[node] * spin.cross(world.nodes.positions[node] - whole.center);
 }
 
 }  // namespace griffith

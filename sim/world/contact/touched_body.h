@@ -32,6 +32,11 @@ struct TouchedBodies {
   std::vector<ElasticObject> objects;
 };
 
+/// Returns a node as a point that touches at a place [m].
+TouchedPoint touched_node(const WorldState& world, NodeId node, const Vec3& place);
+/// Returns the point of a surface that touches at a place [m].
+TouchedPoint touched_point(const WorldState& world, const SurfaceSearch& surface, const Vec3& place);
+
 /// Lists what the contacts touch.
 TouchedBodies touched_bodies(const WorldState& world);
 /// Moves the contacts from the surfaces of the proxies, which do not deform, to those of the deformed bodies, and
