@@ -99,18 +99,20 @@ BlockCholesky::BlockCholesky(std::shared_ptr<const EliminationPlan> plan) : plan
     starts_.push_back(size);
     size += std::size_t{9} * front.columns * front.rows();
   }
-  values_.assign(size, 0.0);
+  starts_.push_back(size);
 }
 
 std::shared_ptr<const BlockCholesky> BlockCholesky::factor(std::shared_ptr<const EliminationPlan> plan,
                                                            const BlockSparseMatrix& a) {
-  const std::shared_ptr<BlockCholesky> made(new BlockCholesky(std::move(plan)));
-  if (!made->factor(a)) return nullptr;
+  const auto made = std::make_shared<BlockCholesky>(std::move(plan));
+  Workspace space;
+  if (!made->factor_again(a, space)) return nullptr;
   return made;
 }
 
-bool BlockCholesky::factor(const BlockSparseMatrix& a) {
+bool BlockCholesky::factor_again(const BlockSparseMatrix& a, Workspace& space) {
   const std::vector<Front>& fronts = plan_->fronts;
+  values_.assign(starts_.back(), 0.0);
   std::vector<std::vector<int>> children(fronts.size());
   for (std::size_t i = 0; i < fronts.size(); ++i)
     if (fronts[i].parent >= 0) children[fronts[i].parent].push_back(static_cast<int>(i));
@@ -118,11 +120,15 @@ bool BlockCholesky::factor(const BlockSparseMatrix& a) {
   FrontAssembly assembly(*plan_, a);
   for (std::size_t i = 0; i < fronts.size(); ++i) {
     const Front& front = fronts[i];
+    if (!space.free.empty()) {
+      remainders[i] = std::move(space.free.back());
+      space.free.pop_back();
+    }
     assembly.begin(front, columns_of(i), remainders[i]);
     assembly.add_matrix();
     for (const int child : children[i]) {
       assembly.add_child(fronts[child], remainders[child]);
-      remainders[child] = {};
+      space.free.push_back(std::move(remainders[child]));
     }
     const int rows = 3 * front.rows(), columns = 3 * front.columns;
     const DenseColumns panel{columns_of(i), rows, columns, rows};

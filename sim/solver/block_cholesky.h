@@ -19,6 +19,15 @@ class BlockCholesky {
   static std::shared_ptr<const BlockCholesky> factor(std::shared_ptr<const EliminationPlan> plan,
                                                      const BlockSparseMatrix& a);
 
+  /// Space for factor_again(), kept from one call to the next.
+  struct Workspace {
+    std::vector<std::vector<double>> free;  ///< Schur complements that are not in use
+  };
+  /// Makes a factorization for factor_again(), without values.
+  explicit BlockCholesky(std::shared_ptr<const EliminationPlan> plan);
+  /// Factors another matrix of the plan's pattern in place; false where it is not positive definite.
+  bool factor_again(const BlockSparseMatrix& a, Workspace& space);
+
   const EliminationPlan& plan() const { return *plan_; }
   /// x becomes L⁻¹ x; of four vectors at once with a simd::WideQuad.
   void solve(std::span<double> x) const { solve_forward(x); }
@@ -29,15 +38,13 @@ class BlockCholesky {
   std::size_t memory() const { return values_.size() * sizeof(double); }
 
  private:
-  explicit BlockCholesky(std::shared_ptr<const EliminationPlan> plan);
-  bool factor(const BlockSparseMatrix& a);
   template <class Number>
   void solve_forward(std::span<Number> x) const;
   double* columns_of(std::size_t front) { return values_.data() + starts_[front]; }
   const double* columns_of(std::size_t front) const { return values_.data() + starts_[front]; }
 
   std::shared_ptr<const EliminationPlan> plan_;
-  std::vector<std::size_t> starts_;  // per front, into the values
+  std::vector<std::size_t> starts_;  // per front, into the values, and the end
   std::vector<double> values_;       // the columns of each front from its first row on, column after column
 };
 

@@ -235,8 +235,8 @@ bool ContactPreconditioner::factor(const std::vector<Mat3>& stiffness) {
           }
     }
   }
-  factors_ = BlockCholesky::factor(plan_, matrix_);
-  return factors_ != nullptr;
+  if (!factors_) factors_.emplace(plan_);
+  return factors_->factor_again(matrix_, space_);
 }
 
 Eigen::VectorXd ContactPreconditioner::solve(const Eigen::VectorXd& reduced) const {

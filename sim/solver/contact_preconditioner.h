@@ -65,7 +65,8 @@ class ContactPreconditioner {
   std::vector<int> slots_;                // of matrix_: per contact and pair of its 3×3 blocks
   std::vector<std::size_t> slot_starts_;  // per contact
   std::shared_ptr<const EliminationPlan> plan_;
-  std::shared_ptr<const BlockCholesky> factors_;
+  std::optional<BlockCholesky> factors_;
+  BlockCholesky::Workspace space_;
 };
 
 }  // namespace griffith
