@@ -37,6 +37,8 @@ void draw_inspector_panel(Panel& panel);
 void draw_statistics_panel(Panel& panel);
 /// Draws the picture with camera and projectile control, legend and hints.
 void draw_viewport(Panel& panel);
+/// Draws the recorded microsteps, for playback. They must be shown.
+void draw_microstep_bar(Panel& panel);
 /// Draws the recorded past, for going back, and the stop conditions.
 void draw_time_bar(Panel& panel);
 /// Draws the chosen series over time; a click or a drag goes to a step.

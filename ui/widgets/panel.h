@@ -42,6 +42,7 @@ struct EditorInput {
   TimeView time;                                        ///< the recorded past
   std::span<const RunSeries> series;                    ///< series that can be plotted
   RunCurves curves;                                     ///< plotted series, while plots are shown
+  std::optional<MicrostepView> microsteps;              ///< recorded microsteps, while they are shown
   std::optional<ComparisonView> comparison;             ///< comparison with another branch at the same step
   double time_step = 0;                                 ///< in force [s]
   double step_milliseconds = 0;                         ///< smoothed duration of a step
