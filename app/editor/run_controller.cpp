@@ -44,6 +44,7 @@ void RunController::begin(BuiltWorld built) {
   pace_ = {};
   leave_state();
   state_.push_mark.reset();
+  state_.symbol.reset();
   remember();
   viewport_.begin(std::move(built.display));
   viewport_.update(shown());
@@ -61,9 +62,14 @@ void RunController::remember() {
 }
 
 void RunController::leave_state() {
+  forget_contact();
   state_.stop.reset();
   state_.log_passed = state_.log.size();
   passes_stop_ = false;
+}
+
+void RunController::forget_contact() {
+  if (state_.symbol && state_.symbol->kind == ui::SymbolKind::contact) state_.symbol.reset();
 }
 
 void RunController::toggle() {

@@ -107,6 +107,8 @@ class RunController {
   void remember();
   /// Clears the stop and the messages of the shown state.
   void leave_state();
+  /// Clears a picked contact, which is one of the shown state.
+  void forget_contact();
   /// True if the world accepted the material; else the edit is undone.
   bool follow_material(int scene_body);
   /// Makes the materials in force those of the scene, without an entry in its history.

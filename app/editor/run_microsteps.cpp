@@ -45,6 +45,7 @@ void RunController::close_microsteps() {
 
 void RunController::follow_shown_world() {
   ++arrivals_;
+  forget_contact();
   const Frame now = frame();
   select(state_, now, ui::follow(state_.selection, now));
 }

@@ -28,6 +28,7 @@
 #include "ui/model/scene_problem.h"
 #include "ui/model/selection.h"
 #include "ui/model/stop.h"
+#include "ui/model/symbol.h"
 #include "ui/model/time_view.h"
 
 namespace griffith::ui {
@@ -189,6 +190,7 @@ struct EditorState {
   std::array<char, 64> body_filter = {};  ///< text that the listed names or states contain
   FieldNote field_note;                   ///< message about the last edit, until the next click
   Selection selection;                    ///< picked in the view; follows the material through fracture
+  std::optional<Symbol> symbol;           ///< symbol of a layer picked in the view
   GizmoTool gizmo = GizmoTool::none;      ///< handles of the selected entries in the view
   bool snap = false;                      ///< drags of handles snap; Ctrl inverts it
   SnapTarget snap_target = SnapTarget::round_values;

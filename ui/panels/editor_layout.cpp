@@ -78,6 +78,7 @@ void draw_right(Panel& panel, const Layout& layout) {
   draw_view_panel(panel);
   // Rows of numbers are more compact than widgets.
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 3 * ui_scale(panel)});
+  draw_symbol_panel(panel);
   draw_inspector_panel(panel);
   draw_statistics_panel(panel);
   ImGui::PopStyleVar();

@@ -31,6 +31,8 @@ void draw_material_list(Panel& panel);
 void draw_handles_panel(Panel& panel);
 /// Draws the settings of the picture: quantity, range and colors, element style, slice, layers.
 void draw_view_panel(Panel& panel);
+/// Explains the picked symbol of a layer, if there is one: a crack plane, a contact, a principal axis.
+void draw_symbol_panel(Panel& panel);
 /// Explains why the picked node broke or holds, and describes its element and piece.
 void draw_inspector_panel(Panel& panel);
 /// Draws counts, solver statistics, times by phase and problems.

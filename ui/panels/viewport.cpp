@@ -150,6 +150,7 @@ void draw_viewport(Panel& panel) {
   draw_region(panel);
   draw_painted_region(panel);
   draw_coming_crack(panel);
+  draw_symbol(panel);
   draw_gizmo(panel);
   draw_aim(panel);
   draw_grab(panel);
