@@ -249,6 +249,12 @@ void add_what(CLI::App& command, RenderOptions& options) {
       ->check(CLI::Range(2, kMaxTurntable))
       ->type_name("N");
   command
+      .add_option("--microsteps", options.job.microsteps,
+                  "N pictures of microsteps of the last time step in place of one, at equal intervals: an impact in "
+                  "slow motion, with the time in µs")
+      ->check(CLI::Range(1, kMaxMicrosteps))
+      ->type_name("N");
+  command
       .add_option(
           "--node", options.job.node,
           "Node to explain, in text and by the views candidate_plane and element_forces; default: the most loaded one")
@@ -297,10 +303,11 @@ void add_how(CLI::App& command, RenderOptions& options) {
 
 void add_where(CLI::App& command, RenderOptions& options) {
   command
-      .add_option("-o,--output", options.output,
-                  "PNG file to write; several pictures have camera, view, frame and angle in their names. With "
-                  "--job-file, several "
-                  "scenes or a folder: a folder")
+      .add_option(
+          "-o,--output", options.output,
+          "PNG file to write; several pictures have camera, view, frame and angle or microstep in their names. With "
+          "--job-file, several "
+          "scenes or a folder: a folder")
       ->type_name("FILE");
   command
       .add_option("--contact-sheet", options.pictures.contact_sheet,
@@ -313,7 +320,7 @@ void add_where(CLI::App& command, RenderOptions& options) {
       ->type_name("FILE");
   command
       .add_option("--fps", options.pictures.frames_per_second,
-                  "Frames per second of the video; default: real time, or 30 for a turntable")
+                  "Frames per second of the video; default: real time, or 30 for a turntable or microsteps")
       ->check(CLI::Range(0.1, 240.0))
       ->type_name("N");
   command.add_flag("--records", options.pictures.records,
@@ -331,9 +338,10 @@ Command add_render(CLI::App& program) {
   add_where(*command, *options);
   add_threads(*command);
   CLI::Option* job_file = command->get_option("--job-file");
-  for (const char* name : {"SCENE", "--frame", "--every", "--frames", "--turntable", "--view", "--camera", "--node",
-                           "--size", "--samples", "--quality", "--environment", "--ui", "--legend", "--transparent",
-                           "--contact-sheet", "--video", "--fps", "--set"})
+  for (const char* name :
+       {"SCENE",    "--frame",       "--every",         "--frames",  "--turntable", "--microsteps",  "--view",
+        "--camera", "--node",        "--size",          "--samples", "--quality",   "--environment", "--ui",
+        "--legend", "--transparent", "--contact-sheet", "--video",   "--fps",       "--set"})
     job_file->excludes(command->get_option(name));
   command->get_option("--only")->needs(job_file);
   command->footer(
@@ -345,6 +353,7 @@ Command add_render(CLI::App& program) {
       "--contact-sheet sheet.png\n"
       "  griffith render scenes/wall_small.json --frame 30 --view utilization --size 1920x1080 -o utilization.png\n"
       "  griffith render scenes/wall_small.json --frame 40 --turntable 90 --video around.mp4\n"
+      "  griffith render scenes/glass_pane.json --frame 2 --microsteps 240 --video impact.mp4\n"
       "  griffith render scenes/wall_small.json --frame 40 --size 16000x9000 -o large.png\n"
       "  griffith render scenes --frame 60 -o pictures                          wall_small.png, arch.png, ...\n"
       "  griffith render --job-file pictures.json -o pictures");
@@ -359,6 +368,10 @@ Command add_render(CLI::App& program) {
               throw InputError("--transparent", "cannot be combined with --ui", "leave one of them out");
             if (options->job.interface && options->job.turntable > 0)
               throw InputError("--turntable", "cannot be combined with --ui", "leave one of them out");
+            if (options->job.interface && options->job.microsteps > 0)
+              throw InputError("--microsteps", "cannot be combined with --ui", "leave one of them out");
+            if (options->job.turntable > 0 && options->job.microsteps > 0)
+              throw InputError("--microsteps", "cannot be combined with --turntable", "leave one of them out");
             return render(*options);
           }};
 }

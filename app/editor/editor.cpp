@@ -63,10 +63,12 @@ void Editor::go_on_with_work() {
   if (state_.cancel_work) discard_queued_commands(state_);
   constexpr double kTravelTime = 0.03;  // fraction of a drawn frame [s]
   run_.continue_travel(kTravelTime);
+  run_.continue_recording();
   files_.go_on();
   analysis_.go_on();
   if (builder_.receive()) scripting_.skip();
-  for (const std::string& stage : {run_.travel_stage(), files_.stage(), analysis_.stage(), builder_.stage()})
+  for (const std::string& stage :
+       {run_.travel_stage(), run_.recording_stage(), files_.stage(), analysis_.stage(), builder_.stage()})
     if (state_.work = stage; !stage.empty()) break;
 }
 
@@ -105,7 +107,8 @@ void Editor::draw_panels(const ui::Fonts& fonts) {
 
 double Editor::seconds_to_next_frame() const {
   const bool works = !run_.travel_stage().empty() || !files_.stage().empty() || analysis_.computes_comparison();
-  if (state_.running || works || viewport_.draws_draft() || !state_.waiting.empty()) return kDrawAtOnce;
+  const bool plays = state_.running || (state_.microsteps && state_.microsteps->playing);
+  if (plays || works || viewport_.draws_draft() || !state_.waiting.empty()) return kDrawAtOnce;
   if (!state_.work.empty()) return kWorkPause;
   if (scenes_.awaits_thumbnails()) return kPicturePause;
   return ImGui::GetIO().WantTextInput ? kCursorPause : kDrawNever;
@@ -131,7 +134,9 @@ std::string_view Editor::disabled_reason(std::string_view command) const {
   const ui::CommandInfo& info = command_info(command);
   if (!info.disabled_reason) return {};
   const ui::TimeView time = run_.time_view();
-  return info.disabled_reason({state_, document_.history(), time, run_.frame().step, viewport_.has_legend()});
+  const Frame frame = run_.frame();
+  return info.disabled_reason(
+      {state_, document_.history(), time, frame.step, viewport_.has_legend(), ui::microsteps_of(frame, run_.built())});
 }
 
 void Editor::refuse(const ui::CommandInfo& info, std::string_view reason) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -48,6 +49,11 @@ Vec3 seen_weights(const ShownMesh& shown, TetId tet, const render::Ray& ray) {
   for (int i = 0; i < 3; ++i)
     if (const int corner = kTetFaces[entry->face][i]; corner > 0) weights[corner - 1] = on_face[i];
   return weights;
+}
+
+double seen_distance(const ShownMesh& shown, TetId tet, const render::Ray& ray) {
+  const std::optional<Entry> entry = first_entry(shown, tet, ray.origin.cast<double>(), ray.direction.cast<double>());
+  return entry ? entry->distance : std::numeric_limits<double>::infinity();
 }
 
 NodeId nearest_corner(const ShownMesh& shown, TetId tet, const render::Ray& ray) {

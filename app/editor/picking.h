@@ -14,6 +14,9 @@ NodeId nearest_corner(const ShownMesh& shown, TetId tet, const render::Ray& ray)
 /// the tet.
 Vec3 seen_weights(const ShownMesh& shown, TetId tet, const render::Ray& ray);
 
+/// Returns the distance along a ray at which it enters a tet [m]; infinite if it misses the tet.
+double seen_distance(const ShownMesh& shown, TetId tet, const render::Ray& ray);
+
 /// Selects material of the frame, and its body.
 void select(ui::EditorState& state, const Frame& frame, const ui::Selection& selection);
 /// Selects a node to be explained; does nothing if it does not exist.

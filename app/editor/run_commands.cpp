@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include "app/editor/editor.h"
@@ -16,11 +17,21 @@ namespace key = ui::key;
 namespace {
 
 std::string_view no_past(const CommandContext& context) {
-  return unless(context.step > context.time.first_step, "This is the first recorded step.");
+  return unless(context.state.microsteps || context.step > context.time.first_step, "This is the first recorded step.");
 }
 
 std::string_view no_future(const CommandContext& context) {
-  return unless(context.step < context.time.last_step, "This is the last recorded step.");
+  return unless(context.state.microsteps || context.step < context.time.last_step, "This is the last recorded step.");
+}
+
+std::string_view no_microsteps(const CommandContext& context) {
+  const bool stopped_before_crack = context.state.stop && !context.state.stop->cracks.empty();
+  return unless(context.state.microsteps || context.microsteps > 0 || stopped_before_crack,
+                "The shown step has no microsteps: nothing was struck and nothing cracked in it.");
+}
+
+std::string_view microsteps_not_shown(const CommandContext& context) {
+  return unless(context.state.microsteps.has_value(), "No microsteps are shown; use Microsteps first.");
 }
 
 std::string_view one_branch_alone(const CommandContext& context) {
@@ -74,6 +85,13 @@ void apply_found(Editor& e, void (*apply)(ui::EditHistory&, const HoldingFound&)
   log_message(e.state(), ui::LogLevel::info, std::string("Applied ") + effect + " Press Space to run it.");
 }
 
+/// Goes to a moment of the shown microsteps. False if none are shown.
+bool go_to_moment(Editor& e, std::int64_t moment) {
+  if (!e.state().microsteps) return false;
+  e.run().go_to_moment(moment);
+  return true;
+}
+
 /// The last edits belong to the time that is left.
 RunController& run_to_travel(Editor& e) {
   e.builder().follow_edits();
@@ -83,15 +101,18 @@ RunController& run_to_travel(Editor& e) {
 const EditorCommand kRunCommands[] = {
     {{.name = "simulation.run",
       .label = "Run",
-      .hint = "Run or pause",
+      .hint = "Run or pause; while microsteps are shown, play them or pause",
       .menu = Menu::simulation,
       .shortcut = {key::kSpace},
-      .is_on = [](const CommandContext& context) { return context.state.running; },
+      .is_on =
+          [](const CommandContext& context) {
+            return context.state.running || (context.state.microsteps && context.state.microsteps->playing);
+          },
       .recorded = false},
      [](Editor& e, const ui::Command&) { e.run().toggle(); }},
     {{.name = "simulation.step",
       .label = "Step",
-      .hint = "Pause and advance by one time step",
+      .hint = "Pause and advance by one time step, or one of the shown microsteps",
       .menu = Menu::simulation,
       .shortcut = {'N'},
       .repeats = true},
@@ -147,35 +168,67 @@ const EditorCommand kRunCommands[] = {
      [](Editor& e, const ui::Command&) { keep_shot(e.document().history(), e.state()); }},
     {{.name = "time.back",
       .label = "Step back",
-      .hint = "Go back by one time step; repeated steps are identical to the bit",
+      .hint = "Go back by one time step, or one of the shown microsteps; repeated steps are identical to the bit",
       .menu = Menu::simulation,
       .group = 1,
       .shortcut = {key::kLeft},
       .disabled_reason = no_past},
      [](Editor& e, const ui::Command&) {
+       if (e.state().microsteps && go_to_moment(e, e.state().microsteps->moment() - 1)) return;
        RunController& run = run_to_travel(e);
        run.go_to_nearest(run.timeline().step() - 1);
      }},
     {{.name = "time.start",
       .label = "Go to start",
-      .hint = "Go to the first recorded step",
+      .hint = "Go to the first recorded step, or the first of the shown microsteps",
       .menu = Menu::simulation,
       .group = 1,
       .disabled_reason = no_past},
      [](Editor& e, const ui::Command&) {
+       if (go_to_moment(e, 0)) return;
        RunController& run = run_to_travel(e);
        run.go_to_nearest(run.timeline().first_step());
      }},
     {{.name = "time.end",
       .label = "Go to end",
-      .hint = "Go to the newest step of the branch",
+      .hint = "Go to the newest step of the branch, or the last of the shown microsteps",
       .menu = Menu::simulation,
       .group = 1,
       .disabled_reason = no_future},
      [](Editor& e, const ui::Command&) {
+       if (go_to_moment(e, std::numeric_limits<std::int64_t>::max())) return;
        RunController& run = run_to_travel(e);
        run.go_to_nearest(run.timeline().last_step());
      }},
+    {{.name = "time.microsteps",
+      .label = "Microsteps",
+      .hint = "Play the last step in slow motion, microstep by microstep: waves and cracks of an impact; or close it",
+      .menu = Menu::simulation,
+      .group = 1,
+      .shortcut = {'U'},
+      .disabled_reason = no_microsteps,
+      .is_on = [](const CommandContext& context) { return context.state.microsteps.has_value(); }},
+     [](Editor& e, const ui::Command&) {
+       if (e.state().microsteps) return e.run().close_microsteps();
+       e.builder().follow_edits();
+       e.run().record_microsteps();
+     }},
+    {{.name = "time.finer",
+      .label = "Finer microsteps",
+      .hint = "Record microsteps around the shown one at an eighth of their interval",
+      .disabled_reason = microsteps_not_shown},
+     [](Editor& e, const ui::Command&) { e.run().record_finer_microsteps(); }},
+    {{.name = "time.whole",
+      .label = "Microsteps of the whole step",
+      .hint = "Record microsteps from the first to the last of the step",
+      .disabled_reason = microsteps_not_shown},
+     [](Editor& e, const ui::Command&) { e.run().record_whole_step(); }},
+    {{.name = "time.moment",
+      .label = "Go to microstep",
+      .hint = "Go to one of the recorded microsteps, counted from 0",
+      .disabled_reason = microsteps_not_shown,
+      .argument = CommandArgument::step},
+     [](Editor& e, const ui::Command& c) { e.run().go_to_moment(c.step); }},
     {{.name = "time.holding",
       .label = "What would have held it?",
       .hint = "Find the strength, speed or thickness at which this node would hold, by repeating the step and the run",

@@ -36,6 +36,7 @@ void RunController::begin(BuiltWorld built) {
   warnings_ = std::move(built.warnings);
   ++world_count_;
   travel_.reset();
+  microsteps_.close();
   let_go();
   state_.comparison.branch.reset();
   utilizations_.clear();
@@ -43,6 +44,7 @@ void RunController::begin(BuiltWorld built) {
   pace_ = {};
   leave_state();
   state_.push_mark.reset();
+  state_.symbol.reset();
   remember();
   viewport_.begin(std::move(built.display));
   viewport_.update(shown());
@@ -60,30 +62,39 @@ void RunController::remember() {
 }
 
 void RunController::leave_state() {
+  forget_contact();
   state_.stop.reset();
   state_.log_passed = state_.log.size();
   passes_stop_ = false;
 }
 
+void RunController::forget_contact() {
+  if (state_.symbol && state_.symbol->kind == ui::SymbolKind::contact) state_.symbol.reset();
+}
+
 void RunController::toggle() {
+  if (microsteps_.is_open()) return microsteps_.toggle();
   state_.running = !state_.running;
   state_.steps_left = 0;
   pace_.restart();
 }
 
 void RunController::make_steps(std::int64_t count) {
+  close_microsteps();
   state_.running = count > 0;
   state_.steps_left = count;
   pace_.restart();
 }
 
 void RunController::step_once() {
+  if (microsteps_.is_open()) return go_to_moment(state_.microsteps->moment() + 1);
   state_.running = false;
   step();
 }
 
 void RunController::advance(double elapsed) {
   pace_.add_picture(elapsed);
+  if (microsteps_.play(elapsed)) follow_shown_world();
   if (!state_.running) state_.steps_left = 0;
   if (state_.running) make_due_steps(elapsed);
 }
@@ -127,6 +138,7 @@ bool RunController::end_background_step(BackgroundStep::Clock::time_point deadli
 }
 
 void RunController::step() {
+  close_microsteps();
   if (background_.fits(step_start())) return take_step(background_.take());
   follow_grab();
   std::optional<World> before;
@@ -180,6 +192,7 @@ bool RunController::stop_before_step(World before) {
 }
 
 void RunController::fire(ProjectileBurst shot) {
+  close_microsteps();
   timeline_.fire(shot);
   leave_state();
   shot.start = frame().time;
@@ -189,6 +202,7 @@ void RunController::fire(ProjectileBurst shot) {
 }
 
 void RunController::grab(const Grab& grab) {
+  close_microsteps();
   timeline_.grab(grab);
   leave_state();
   dragged_to_.reset();
@@ -204,6 +218,7 @@ void RunController::release() {
 }
 
 void RunController::push(const Push& push) {
+  close_microsteps();
   const Frame pushed = frame();
   const TetId tet(push.tet);
   const std::array<NodeId, 4>& corners = pushed.elements.tets[tet];
@@ -244,6 +259,7 @@ void RunController::follow_materials() {
 }
 
 bool RunController::follow_material(int scene_body) {
+  close_microsteps();
   try {
     timeline_.set_material(scene_body, document_.scene().bodies[scene_body].material);
     viewport_.restart_range();
@@ -279,6 +295,7 @@ std::vector<ui::UtilizationSample> RunController::utilizations() const {
 void RunController::describe(ui::EditorInput& input) const {
   input.time = time_view();
   if (dragged_to_ && input.frame.grab) input.frame.grab->target = *dragged_to_;
+  input.microsteps = microsteps_.view();
   input.series = run_history_.series();
   input.time_step = document_.scene().simulation.time_step;
   input.step_milliseconds = 1000 * pace_.step_seconds();

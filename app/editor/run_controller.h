@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/editor/background_step.h"
+#include "app/editor/microstep_player.h"
 #include "app/editor/run_history.h"
 #include "app/editor/run_pace.h"
 #include "app/editor/scene_document.h"
@@ -27,7 +28,8 @@ class RunController {
   void restart(BuiltWorld built);
 
   const Timeline& timeline() const { return timeline_; }
-  const World& world() const { return timeline_.world(); }
+  /// Returns the shown world: that of the timeline, or one between its microsteps.
+  const World& world() const { return microsteps_.is_open() ? *microsteps_.world() : timeline_.world(); }
   Frame frame() const { return world().frame(); }
   /// Returns the scene from which the world was built, with its current materials.
   const Scene& built() const { return built_; }
@@ -37,11 +39,11 @@ class RunController {
   const std::vector<InputError>& warnings() const { return warnings_; }
   ShownWorld shown() const { return {frame(), built_, version()}; }
 
-  /// Runs or pauses.
+  /// Runs or pauses, or plays the shown microsteps or pauses them.
   void toggle();
   /// Runs until that many steps are made.
   void make_steps(std::int64_t count);
-  /// Pauses and makes one step.
+  /// Pauses and makes one step, or goes to the next of the shown microsteps.
   void step_once();
   /// Makes one time step.
   void step();
@@ -74,6 +76,18 @@ class RunController {
   void continue_travel(double seconds);
   /// Describes the way that is left; empty if there is none.
   std::string travel_stage() const;
+  /// Records the microsteps of the last step, or of the next one if the run has stopped before it, and shows them.
+  void record_microsteps();
+  /// Shows them once they are recorded. Call it in every drawn frame.
+  void continue_recording();
+  /// Describes the progress of the recording; empty if there is none.
+  std::string recording_stage() const { return microsteps_.stage(); }
+  /// Goes to a moment of the shown microsteps, or the nearest one.
+  void go_to_moment(std::int64_t moment);
+  void record_finer_microsteps() { microsteps_.record_finer(); }
+  void record_whole_step() { microsteps_.record_whole(); }
+  /// Returns from microsteps to the state at the end of the step, or to where the run stopped before it.
+  void close_microsteps();
   /// True if the simulation runs slower than requested.
   bool lags() const { return state_.running && pace_.falling_behind(); }
   /// Sets the approximate limit for copies of the world [bytes].
@@ -93,6 +107,8 @@ class RunController {
   void remember();
   /// Clears the stop and the messages of the shown state.
   void leave_state();
+  /// Clears a picked contact, which is one of the shown state.
+  void forget_contact();
   /// True if the world accepted the material; else the edit is undone.
   bool follow_material(int scene_body);
   /// Makes the materials in force those of the scene, without an entry in its history.
@@ -118,7 +134,10 @@ class RunController {
   /// True if a breakpoint lies in the step just made from `before`; the step is then undone.
   bool stop_before_step(World before);
 
-  void approach(int branch, std::int64_t step);
+  /// `records`: the microsteps of the step after the destination are to be recorded.
+  void approach(int branch, std::int64_t step, bool records = false);
+  /// Lets picture and selection follow a change of world().
+  void follow_shown_world();
   /// Updates everything after a jump in time.
   void arrive();
   /// Describes the shown step: "step 31", with its branch if there are several.
@@ -139,6 +158,8 @@ class RunController {
   UtilizationHistory utilizations_;
   RunPace pace_;
   BackgroundStep background_;
+  MicrostepPlayer microsteps_{state_};
+  bool takes_recorded_step_ = false;  ///< the step after the way's end is recorded, then taken
   bool waits_for_steps_ = true;
   bool passes_stop_ = false;  ///< makes the next step despite its breakpoint
 };

@@ -36,7 +36,9 @@ void RunController::go_to_nearest(std::int64_t step) {
   approach(timeline_.branch(), step);
 }
 
-void RunController::approach(int branch, std::int64_t step) {
+void RunController::approach(int branch, std::int64_t step, bool records) {
+  close_microsteps();
+  takes_recorded_step_ = records;
   document_.history().finish();
   let_go();
   if (branch != timeline_.branch()) {
@@ -53,6 +55,7 @@ void RunController::continue_travel(double seconds) {
   if (!travel_) return;
   if (std::exchange(state_.cancel_work, false)) {
     travel_->last = timeline_.step();
+    takes_recorded_step_ = false;
     log_message(state_, ui::LogLevel::warning, "Interrupted at step " + std::to_string(travel_->last) + ".");
   }
   using Clock = std::chrono::steady_clock;
@@ -61,6 +64,7 @@ void RunController::continue_travel(double seconds) {
   if (timeline_.step() < travel_->last) return;
   travel_.reset();
   arrive();
+  if (takes_recorded_step_) microsteps_.record(timeline_.before_step());
 }
 
 std::string RunController::travel_stage() const {

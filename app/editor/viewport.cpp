@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
 #include "app/editor/picking.h"
 #include "app/editor/shooting.h"
+#include "app/editor/symbol_picking.h"
 #include "app/picture/bulk_bounds.h"
 #include "app/picture/named_view.h"
 #include "app/picture/picture_options.h"
@@ -182,12 +184,55 @@ TetId Viewport::tet_at(const Frame& frame, const Vec2& cursor) const {
 void Viewport::pick(const ShownWorld& world, const Vec2& cursor) {
   state_.entries.clear();
   state_.selection = {};
+  state_.symbol.reset();
   const Frame& frame = world.frame;
   const TetId tet = tet_at(frame, cursor);
-  if (!tet.valid()) return;
   const ShownMesh shown = shown_mesh(frame, state_.view, {}, hidden_bodies(state_, world.scene));
   const render::Ray ray = ray_at(cursor, drawn_.width, drawn_.height);
-  select(state_, frame, ui::select(frame, tet, nearest_corner(shown, tet, ray)));
+  if (!pick_symbol(shown, tet, ray) && tet.valid())
+    select(state_, frame, ui::select(frame, tet, nearest_corner(shown, tet, ray)));
+}
+
+bool Viewport::pick_symbol(const ShownMesh& shown, TetId tet, const render::Ray& ray) {
+  constexpr double kSlack = 5;  // [design pixels]
+  const double pixel = 2 * std::tan(picture_camera().vertical_fov * std::numbers::pi / 360) / drawn_.height;
+  const bool opaque = tet.valid() && picture_.surface.opacity == 1;
+  const double limit =
+      opaque ? seen_distance(shown, tet, ray) + 0.25 * shown.element_size : std::numeric_limits<double>::infinity();
+  const std::vector<LayerSymbol> symbols = layer_symbols(shown);
+  const LayerSymbol* found = symbol_on(ray, symbols, kSlack * pixel, limit);
+  if (!found) return false;
+  state_.symbol = found->symbol;
+  const int index = found->symbol.index;
+  const Frame& frame = shown.frame;
+  switch (found->symbol.kind) {
+    case ui::SymbolKind::fracture_plane:
+      select_node(state_, frame, frame.crack_events[static_cast<std::size_t>(index)].node);
+      break;
+    case ui::SymbolKind::separation_axis:
+      select_node(state_, frame, NodeId(index));
+      break;
+    case ui::SymbolKind::stress_axis:
+      select(state_, frame, ui::select(frame, TetId(index), nearest_corner(shown, TetId(index), ray)));
+      break;
+    case ui::SymbolKind::contact:
+      break;
+  }
+  return true;
+}
+
+std::vector<ui::RegionLine> Viewport::symbol_lines(const Frame& frame, const Scene& scene) const {
+  if (!state_.symbol) return {};
+  const ShownMesh shown = shown_mesh(frame, state_.view, {}, hidden_bodies(state_, scene));
+  const std::vector<LayerSymbol> symbols = layer_symbols(shown);
+  const auto found = std::ranges::find(symbols, *state_.symbol, &LayerSymbol::symbol);
+  if (found == symbols.end()) return {};
+  if (found->symbol.kind != ui::SymbolKind::fracture_plane)
+    return {{found->place - found->arm, found->place + found->arm}};
+  const Vec3 across = found->arm.unitOrthogonal() * found->arm.norm();
+  std::vector<ui::RegionLine> lines = ui::circle_lines(found->place, across, found->arm.normalized().cross(across));
+  lines.push_back({found->place, found->place + found->arm});
+  return lines;
 }
 
 std::optional<Grab> Viewport::grabbed_at(const ShownWorld& world, const Vec2& cursor) {
@@ -246,6 +291,7 @@ void Viewport::describe(ui::EditorInput& input, const Scene& scene) {
   add_scaling_label(input, scene, state_.viewport_size.y);
   input.camera = view_camera(picture_camera());
   input.toward_eye = (camera_.position - camera_.target).cast<double>();
+  input.symbol_lines = symbol_lines(input.frame, scene);
   input.aim = aim(input.frame, scene);
   if (const TetId tet = state_.pointed_at ? tet_at(input.frame, *state_.pointed_at) : TetId(); tet.valid())
     input.pointed = input.frame.elements.bodies[tet];

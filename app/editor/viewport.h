@@ -12,6 +12,7 @@
 #include "app/editor/step_picture.h"
 #include "renderer/camera.h"
 #include "renderer/renderer.h"
+#include "ui/model/region_outline.h"
 #include "ui/panels/editor_layout.h"
 
 namespace griffith::app {
@@ -74,7 +75,7 @@ class Viewport {
   void toggle_slice(const Frame& frame);
   void toggle_range_lock();
 
-  /// Selects the element at a point of the view, from its top left corner, 0..1.
+  /// Selects the symbol of a layer, or the element, at a point of the view, from its top left corner, 0..1.
   void pick(const ShownWorld& world, const Vec2& cursor);
   /// Returns a grab of the material at a point of the view; empty if there is none.
   std::optional<Grab> grabbed_at(const ShownWorld& world, const Vec2& cursor);
@@ -130,6 +131,11 @@ class Viewport {
   void render(bool draft, std::optional<int> samples);
   /// Returns the drawn tet at a point of the view; invalid if there is none.
   TetId tet_at(const Frame& frame, const Vec2& cursor) const;
+  /// Selects the symbol of a layer that a ray meets first, in front of `tet` if bodies are opaque, with its node or
+  /// element. False if there is none.
+  bool pick_symbol(const ShownMesh& shown, TetId tet, const render::Ray& ray);
+  /// Returns the outline of the picked symbol.
+  std::vector<ui::RegionLine> symbol_lines(const Frame& frame, const Scene& scene) const;
   render::Ray ray_at(const Vec2& cursor, int width, int height) const;
   /// Moves the camera along its line of sight and sideways until the picture shows all of the box.
   void look_at(const Eigen::AlignedBox3f& bounds);

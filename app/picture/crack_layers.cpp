@@ -28,19 +28,30 @@ void add_outline(const ShownMesh& shown, TetId tet, const render::Rgb& color, re
 
 }  // namespace
 
-void add_fracture_planes(const ShownMesh& shown, render::DrawScene& picture) {
+std::vector<LayerSymbol> fracture_plane_symbols(const ShownMesh& shown) {
   const auto& events = shown.frame.crack_events;
   const std::size_t count = std::min(events.size(), static_cast<std::size_t>(shown.view.fracture_planes));
   const double radius = 0.45 * shown.element_size * shown.view.glyph_scale;
-  const auto shows = events.last(count);
+  std::vector<LayerSymbol> symbols;
+  for (std::size_t i = events.size() - count; i < events.size(); ++i) {
+    const Vec3 place = events[i].position + shown.offsets[events[i].body];
+    if (shown.visible(place))
+      symbols.push_back({{ui::SymbolKind::fracture_plane, static_cast<int>(i)}, place, radius * events[i].normal});
+  }
+  return symbols;
+}
+
+void add_fracture_planes(const ShownMesh& shown, render::DrawScene& picture) {
+  const auto& events = shown.frame.crack_events;
+  const auto shows = events.last(std::min(events.size(), static_cast<std::size_t>(shown.view.fracture_planes)));
   if (shows.empty()) return;
+  const double radius = 0.45 * shown.element_size * shown.view.glyph_scale;
   const double oldest = shown.frame.time - shows.front().time, newest = shown.frame.time - shows.back().time;
-  for (const CrackEvent& event : shows) {
-    const Vec3 place = event.position + shown.offsets[event.body];
-    if (!shown.visible(place)) continue;
+  for (const LayerSymbol& plane : fracture_plane_symbols(shown)) {
+    const CrackEvent& event = events[static_cast<std::size_t>(plane.symbol.index)];
     const render::Rgb color = age_color(shown.frame.time - event.time, newest, oldest);
-    picture.glyphs.discs.push_back(disc(place, event.normal, radius, color, 1));
-    add_arrow(picture.glyphs.arrows, place, 0.8 * radius * event.normal, 0.09 * radius, color);
+    picture.glyphs.discs.push_back(disc(plane.place, event.normal, radius, color, 1));
+    add_arrow(picture.glyphs.arrows, plane.place, 0.8 * radius * event.normal, 0.09 * radius, color);
   }
 }
 

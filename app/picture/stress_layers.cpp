@@ -58,16 +58,22 @@ std::vector<std::uint8_t> surface_nodes(const Frame& frame) {
 
 }  // namespace
 
-void add_stress_axes(const ShownMesh& shown, render::DrawScene& picture) {
+std::vector<LayerSymbol> stress_axis_symbols(const ShownMesh& shown) {
   const StressField field = stress_field(shown);
   const double reach = 0.5 * shown.element_size * shown.view.glyph_scale;
+  std::vector<LayerSymbol> symbols;
   for (const StressedTet& tet : field.tets)
     for (int axis = 0; axis < 3; ++axis) {
       const double stress = tet.stress.values[axis];
       const Vec3 arm = std::min(std::abs(stress) / field.typical, 1.5) * reach * tet.stress.directions.col(axis);
-      picture.lines.push_back(
-          {(tet.center - arm).cast<float>(), (tet.center + arm).cast<float>(), sign_of(stress), tet.tet.index()});
+      symbols.push_back({{ui::SymbolKind::stress_axis, tet.tet.index(), axis}, tet.center, arm, stress});
     }
+  return symbols;
+}
+
+void add_stress_axes(const ShownMesh& shown, render::DrawScene& picture) {
+  for (const auto& [symbol, place, arm, stress] : stress_axis_symbols(shown))
+    picture.lines.push_back({(place - arm).cast<float>(), (place + arm).cast<float>(), sign_of(stress), symbol.index});
 }
 
 void add_stress_ellipsoids(const ShownMesh& shown, render::DrawScene& picture) {
@@ -86,8 +92,9 @@ void add_stress_ellipsoids(const ShownMesh& shown, render::DrawScene& picture) {
   }
 }
 
-void add_separation_axes(const ShownMesh& shown, render::DrawScene& picture) {
+std::vector<LayerSymbol> separation_axis_symbols(const ShownMesh& shown) {
   const Frame& frame = shown.frame;
+  std::vector<LayerSymbol> symbols;
   std::vector<double> sizes;
   for (const NodeSeparation& separation : frame.nodes.separations)
     if (!separation.tensor.isZero(0)) sizes.push_back(separation.tensor.norm());
@@ -101,13 +108,22 @@ void add_separation_axes(const ShownMesh& shown, render::DrawScene& picture) {
     for (int axis = 0; axis < 3; ++axis) {
       const double value = principal.values[axis];
       const Vec3 arm = std::min(std::abs(value) / typical, 1.5) * reach * principal.directions.col(axis);
-      if (axis == 2 && value > 0) {
-        add_arrow(picture.glyphs.arrows, place, arm, 0.12 * reach, utilization_color(separation.utilization));
-        add_arrow(picture.glyphs.arrows, place, -arm, 0.12 * reach, utilization_color(separation.utilization));
-      } else {
-        picture.lines.push_back(
-            {(place - arm).cast<float>(), (place + arm).cast<float>(), sign_of(value), render::kNoId});
-      }
+      symbols.push_back({{ui::SymbolKind::separation_axis, static_cast<int>(i), axis}, place, arm, value});
+    }
+  }
+  return symbols;
+}
+
+void add_separation_axes(const ShownMesh& shown, render::DrawScene& picture) {
+  const double thickness = 0.06 * shown.element_size * shown.view.glyph_scale;
+  for (const auto& [symbol, place, arm, value] : separation_axis_symbols(shown)) {
+    const double utilization = shown.frame.nodes.separations[static_cast<std::size_t>(symbol.index)].utilization;
+    if (symbol.axis == 2 && value > 0) {
+      add_arrow(picture.glyphs.arrows, place, arm, thickness, utilization_color(utilization));
+      add_arrow(picture.glyphs.arrows, place, -arm, thickness, utilization_color(utilization));
+    } else {
+      picture.lines.push_back(
+          {(place - arm).cast<float>(), (place + arm).cast<float>(), sign_of(value), render::kNoId});
     }
   }
 }

@@ -7,6 +7,7 @@
 #include "sim/elasticity/principal_stress.h"
 #include "sim/geometry/convex_hull.h"
 #include "sim/world/output/probes.h"
+#include "ui/model/view_layers.h"
 
 namespace griffith::app {
 namespace {
@@ -58,17 +59,41 @@ Vec3 place_of(const PlacedProbe& probe, const ShownMesh& shown) {
 
 }  // namespace
 
-void add_contacts(const ShownMesh& shown, render::DrawScene& picture) {
+std::vector<LayerSymbol> contact_symbols(const ShownMesh& shown) {
   double largest = 0;
   for (const ContactView& contact : shown.frame.contacts) largest = std::max(largest, contact.impulse.norm());
   const double reach = 2 * shown.sign_size * shown.view.glyph_scale;
-  for (const ContactView& contact : shown.frame.contacts) {
+  std::vector<LayerSymbol> symbols;
+  for (std::size_t i = 0; i < shown.frame.contacts.size(); ++i) {
+    const ContactView& contact = shown.frame.contacts[i];
     const Vec3 place = contact.position + contact_offset(shown, contact);
-    if (!shown.visible(place)) continue;
-    picture.glyphs.balls.push_back(ball(place, 0.04 * reach, sign_color::kImpulse));
-    add_arrow(picture.glyphs.arrows, place, reach / largest * contact.impulse, 0.06 * reach, sign_color::kImpulse);
-    add_arrow(picture.glyphs.arrows, place, -reach / largest * contact.impulse, 0.06 * reach, sign_color::kImpulse);
+    if (shown.visible(place))
+      symbols.push_back({{ui::SymbolKind::contact, static_cast<int>(i)}, place, reach / largest * contact.impulse});
   }
+  return symbols;
+}
+
+void add_contacts(const ShownMesh& shown, render::DrawScene& picture) {
+  const double reach = 2 * shown.sign_size * shown.view.glyph_scale;
+  for (const LayerSymbol& contact : contact_symbols(shown)) {
+    picture.glyphs.balls.push_back(ball(contact.place, 0.04 * reach, sign_color::kImpulse));
+    add_arrow(picture.glyphs.arrows, contact.place, contact.arm, 0.06 * reach, sign_color::kImpulse);
+    add_arrow(picture.glyphs.arrows, contact.place, -contact.arm, 0.06 * reach, sign_color::kImpulse);
+  }
+}
+
+std::vector<LayerSymbol> layer_symbols(const ShownMesh& shown) {
+  std::vector<LayerSymbol> all;
+  const auto add = [&](ViewLayer layer, std::vector<LayerSymbol> (*symbols)(const ShownMesh&)) {
+    if (!ui::shows_layer(shown.view, layer)) return;
+    const std::vector<LayerSymbol> added = symbols(shown);
+    all.insert(all.end(), added.begin(), added.end());
+  };
+  add(ViewLayer::fracture_planes, fracture_plane_symbols);
+  add(ViewLayer::contacts, contact_symbols);
+  add(ViewLayer::stress_axes, stress_axis_symbols);
+  add(ViewLayer::separation_axes, separation_axis_symbols);
+  return all;
 }
 
 void add_body_frames(const ShownMesh& shown, render::DrawScene& picture) {

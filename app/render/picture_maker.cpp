@@ -152,6 +152,11 @@ struct PictureMaker::Impl {
     return writing;
   }
 
+  void add_caption(const std::string& text, Writing& writing) const {
+    constexpr float kBelowEdge = 20;  // design pixels
+    writing.labels.push_back({0.5f, kBelowEdge * scale / size().y, text});
+  }
+
   PaintedPicture image(const render::DrawScene& drawn, const Viewpoint& viewpoint, const Writing& writing) {
     const bool has_text = writing.legend || !writing.labels.empty();
     return paint_in_parts(options_of(viewpoint), job.largest_part, [&](const render::RenderOptions& part) {
@@ -213,8 +218,8 @@ void PictureMaker::follow(const World& world) {
   for (auto& [names, viewpoint] : impl_->viewpoints) viewpoint.range.follow(world.frame(), viewpoint.view.quantity);
 }
 
-RenderedPicture PictureMaker::paint(const World& world, const std::string& camera, const std::string& view,
-                                    double turn) {
+RenderedPicture PictureMaker::paint(const World& world, const std::string& camera, const std::string& view, double turn,
+                                    const std::string& caption) {
   Impl::Viewpoint viewpoint = impl_->viewpoints.at({camera, view});
   if (turn != 0) viewpoint.camera = render::orbit(viewpoint.camera, static_cast<float>(turn), 0);
   RenderedPicture picture;
@@ -224,7 +229,8 @@ RenderedPicture PictureMaker::paint(const World& world, const std::string& camer
     painted = impl_->poster(world.frame(), viewpoint);
   } else {
     const render::DrawScene drawn = impl_->draw_scene(world.frame(), viewpoint);
-    const Impl::Writing writing = impl_->writing_of(world.frame(), drawn, viewpoint);
+    Impl::Writing writing = impl_->writing_of(world.frame(), drawn, viewpoint);
+    if (impl_->job.legend && !caption.empty()) impl_->add_caption(caption, writing);
     picture.record.text = writing_text(writing.legend, writing.labels);
     painted = impl_->job.transparent ? impl_->without_background(drawn, viewpoint, writing)
                                      : impl_->image(drawn, viewpoint, writing);

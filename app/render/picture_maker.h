@@ -20,8 +20,9 @@ class PictureMaker {
   /// Follows a step; call it after each, so that color ranges change smoothly and shards lie around the first crack.
   void follow(const World& world);
   /// Returns a picture with a camera and view of the job. Its name is left empty. `turn`: rotation of the camera about
-  /// its target [rad].
-  RenderedPicture paint(const World& world, const std::string& camera, const std::string& view, double turn = 0);
+  /// its target [rad]. `caption`: text at the top.
+  RenderedPicture paint(const World& world, const std::string& camera, const std::string& view, double turn = 0,
+                        const std::string& caption = {});
 
  private:
   struct Impl;

@@ -25,6 +25,7 @@ std::string viewpoint_suffix(const RenderJob& job, const PictureRecord& record) 
   RenderJob one_frame = job;
   one_frame.name = "x";
   one_frame.frames.resize(1);
+  one_frame.turntable = one_frame.microsteps = 0;
   return picture_name(one_frame, record.camera, record.view, 0, false).substr(1);
 }
 
@@ -72,8 +73,8 @@ void PictureWriter::add_to_video(const RenderedPicture& picture) {
 }
 
 double frames_per_second(const RenderJob& job, double time_step) {
-  constexpr double kMin = 1, kMax = 120, kOfTurntable = 30;
-  if (job.turntable > 0) return kOfTurntable;
+  constexpr double kMin = 1, kMax = 120, kWithinStep = 30;
+  if (job.turntable > 0 || job.microsteps > 0) return kWithinStep;
   if (job.frames.size() < 2) return kMin;
   const double mean_interval =
       time_step * (job.frames.back() - job.frames.front()) / static_cast<double>(job.frames.size() - 1);

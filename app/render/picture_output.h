@@ -41,7 +41,8 @@ class PictureWriter {
   std::map<std::filesystem::path, VideoWriter> videos_;
 };
 
-/// Returns the frame rate at which a video of these time steps runs in real time, 1 to 120; 30 for a turntable.
+/// Returns the frame rate at which a video of these time steps runs in real time, 1 to 120; 30 for a turntable
+/// or microsteps.
 double frames_per_second(const RenderJob& job, double time_step);
 
 /// Returns the record as JSON, with the state hash in hexadecimal. `renderer`: name of the renderer from OpenGL.

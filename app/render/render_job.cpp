@@ -5,6 +5,7 @@
 #include <memory>
 #include <numbers>
 
+#include "app/render/microstep_pictures.h"
 #include "app/render/painter.h"
 #include "app/shared/explanation.h"
 #include "app/shared/progress.h"
@@ -61,7 +62,7 @@ std::string picture_name(const RenderJob& job, const std::string& camera, const 
   std::snprintf(number, sizeof number, "_%04d", frame);
   if (job.frames.size() > 1 || always_numbered) name += number;
   std::snprintf(number, sizeof number, "_%03d", turn);
-  return job.turntable > 0 ? name + number : name;
+  return job.turntable > 0 || job.microsteps > 0 ? name + number : name;
 }
 
 std::size_t picture_count(const RenderJob& job) {
@@ -82,6 +83,7 @@ std::string render_job(const RenderJob& job, const Scene& authored, bool always_
                        const std::function<void(RenderedPicture)>& take) {
   Scene scene = authored;
   scene.view.quality = job.quality.value_or(scene.view.quality);
+  if (job.microsteps > 0) return render_microsteps(job, scene, always_numbered, take), std::string();
   const std::string scene_text = full_scene_text(scene);
   const std::unique_ptr<Painter> painter =
       job.interface ? make_editor_painter(job, scene) : make_plain_painter(job, scene);

@@ -23,6 +23,7 @@ struct RenderJob {
   // Empty: from the scene.
   std::vector<std::string> views = {""}, cameras = {""};
   int turntable = 0;                      ///< pictures around the camera's target in place of one; 0: none
+  int microsteps = 0;                     ///< pictures of microsteps of the last step in place of one; 0: none
   int width = 1280, height = 720;         ///< [pixels]
   int largest_part = kLargestPart;        ///< largest side of what is drawn at once [pixels]
   std::optional<int> samples;             ///< per pixel; absent: by quality
@@ -62,21 +63,23 @@ struct RenderedPicture {
 };
 
 /// Returns the name of a picture of a job. Camera, view and frame are parts of it if the job has several, or with
-/// `always_numbered`, and `turn` if it has a turntable.
+/// `always_numbered`, and `turn` if it has a turntable or microsteps.
 std::string picture_name(const RenderJob& job, const std::string& camera, const std::string& view, int frame,
                          bool always_numbered, int turn = 0);
 
-/// Returns the number of pictures of a job.
+/// Returns the number of pictures of a job without microsteps.
 std::size_t picture_count(const RenderJob& job);
 
-/// Most pictures of a turntable.
-inline constexpr int kMaxTurntable = 3600;
+/// Most pictures of a turntable, or of the microsteps of a step.
+inline constexpr int kMaxTurntable = 3600, kMaxMicrosteps = 3600;
 
-/// Returns the names of all pictures of a job in drawing order; a single time step is no part of them.
+/// Returns the names of all pictures of a job without microsteps in drawing order; a single time step is no part of
+/// them.
 std::vector<std::string> picture_names(const RenderJob& job);
 
 /// Makes the run and passes each picture to the callback: for each frame and camera every view, from every angle. Needs
-/// a current OpenGL context. `always_numbered`: as above. Throws InputError if the scene lacks a camera, view or node.
+/// a current OpenGL context. `always_numbered`: as above. Throws InputError if the scene lacks a camera, view or node,
+/// or a step microsteps.
 /// Returns the explanation of job.node in the last frame; empty without one.
 std::string render_job(const RenderJob& job, const Scene& scene, bool always_numbered,
                        const std::function<void(RenderedPicture)>& take);

@@ -69,6 +69,7 @@ class MicrostepContacts {
   /// Ties the copies of edges along cracks, after cracks have opened and before the next motion.
   void tie_edges(ExplicitBodies& bodies);
   std::span<Obstacle> obstacles() { return obstacles_; }
+  std::span<const Obstacle> obstacles() const { return obstacles_; }
   int crack_count() const { return static_cast<int>(cracks_.size()); }
   const CrackSides& crack(int index) const { return cracks_[index].sides; }
   std::span<const RecordedImpact> recorded_impacts() const { return recorded_impacts_; }

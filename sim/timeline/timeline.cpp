@@ -6,18 +6,28 @@
 namespace griffith {
 namespace {
 
-StepRecord step_and_record(World& world, const StepNeeds& needs) {
-  world.step();
+StepRecord record_of(const World& world, const StepNeeds& needs) {
   StepRecord record;
   if (needs.hashes) record.hashes = world.state_hashes();
   if (needs.copy) record.copy = std::make_shared<const World>(world);
   return record;
 }
 
+StepRecord step_and_record(World& world, const StepNeeds& needs) {
+  world.step();
+  return record_of(world, needs);
+}
+
 }  // namespace
 
 MadeStep make_step(NextStep next) {
   StepRecord record = step_and_record(next.world, next.needs);
+  return {std::move(next.world), std::move(record)};
+}
+
+MadeStep make_step(NextStep next, const MicrostepObserver& observer) {
+  next.world.step(observer);
+  StepRecord record = record_of(next.world, next.needs);
   return {std::move(next.world), std::move(record)};
 }
 

@@ -44,7 +44,10 @@ struct MadeStep {
   World world;
   StepRecord record;
 };
+/// Makes the step.
 MadeStep make_step(NextStep next);
+/// Makes the step and shows its microsteps to an observer.
+MadeStep make_step(NextStep next, const MicrostepObserver& observer);
 
 /// Line of steps. All but the first begin at a step of another branch, where an input differed.
 struct Branch {

@@ -76,6 +76,16 @@ void take_substep(WorldState& world, double dt) {
   fracture(world, dt);
 }
 
+/// Shows the world after a substep of explicit integration, which is a microstep of all bodies.
+void show_substep(WorldState& world) {
+  if (!world.watch || !world.watch->wants_next()) return;
+  WorldState moment = world;
+  moment.watch = nullptr;
+  world.elements.own_states();
+  publish(moment);
+  world.watch->take(world.watch->microsteps, std::move(moment));
+}
+
 /// Makes equal substeps; if cracks or cuts leave smaller elements, the rest of the step continues in shorter ones.
 void step_explicitly(WorldState& world, double time_step) {
   constexpr double kRounding = 1e-9;
@@ -84,6 +94,7 @@ void step_explicitly(WorldState& world, double time_step) {
     const double count = std::max(1.0, std::ceil((1 - kRounding) * left / stable_substep(world)));
     const double dt = left / count;
     take_substep(world, dt);
+    show_substep(world);
     left = count > 1 ? left - dt : 0;
   }
   rigidify_quiet_bodies(world);
@@ -104,10 +115,13 @@ void step_implicitly(WorldState& world, double time_step) {
   update_sleep(world, time_step);
 }
 
-/// Stops sharing with copies of the world what bodies are about to write side by side.
-void make_elements_own(WorldState& world) {
-  world.elements.states.edit(), world.elements.stresses.edit(), world.elements.quadratic_states.edit();
+/// Restores the state before some substep, of whose microsteps the observer forgets those after `microstep`.
+void restore(WorldState& world, const WorldState& before, std::int64_t microstep) {
+  world = before;
+  if (world.watch) world.watch->go_back(microstep);
 }
+
+std::int64_t observed_microsteps(const WorldState& world) { return world.watch ? world.watch->microsteps : 0; }
 
 /// Moves everything on by `substep` [s]: by microsteps what is in explicit dynamics, all else by one implicit substep.
 /// False where the microsteps would take more than `max_work`: the world is of no use then.
@@ -130,10 +144,11 @@ bool move_within_ceiling(WorldState& world, double substep) {
   if (kUncertainty * expected_work(world, substep) < max_work)
     return move_along(world, substep, std::numeric_limits<double>::infinity());
   const WorldState before = world;
-  make_elements_own(world);
+  const std::int64_t microstep = observed_microsteps(world);
+  world.elements.own_states();
   if (move_along(world, substep, max_work)) return true;
   const double work = world.scratch.microstep_work, overhead = world.explicit_overhead;
-  world = before;
+  restore(world, before, microstep);
   world.scratch.microstep_work = work;
   world.explicit_overhead = overhead;
   return false;
@@ -148,11 +163,12 @@ bool move_within_strains(WorldState& world, double substep, StrainLimit& limit) 
   if (substep < 2 * limit.shortest || limit.undone == kMaxUndone || !may_strain_far(world))
     return move_within_ceiling(world, substep);
   const WorldState before = world;
-  make_elements_own(world);
+  const std::int64_t microstep = observed_microsteps(world);
+  world.elements.own_states();
   if (!move_within_ceiling(world, substep)) return false;
   const bool has_converged = world.report.unconverged_motions == before.report.unconverged_motions;
   if (has_converged && depth_of_soft_bodies(world) <= std::max(kDeep, depth_of_soft_bodies(before))) return true;
-  world = before;
+  restore(world, before, microstep);
   limit.longest = substep / 2;
   ++limit.undone;
   return false;
@@ -256,7 +272,7 @@ bool make_step(WorldState& world, const StepReport& last) {
   make_loaded_bodies_elastic(world, {world.time - time_step, world.time}, {world.time, world.time + time_step});
   make_first_struck_elastic(world, time_step);
   const bool is_static = world.model->scene.analysis == Analysis::static_, asleep = all_lie_asleep(world);
-  if (!asleep) make_elements_own(world);
+  if (!asleep) world.elements.own_states();
   if (asleep || (is_static && stays_in_equilibrium(world, world.time, time_step))) {
     stand_still(world, last);
   } else {

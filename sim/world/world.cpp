@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "sim/core/hash_bytes.h"
 #include "sim/world/bodies/bodies.h"
@@ -92,7 +93,8 @@ World::World(const Scene& scene, const Monitor& monitor) : World(scene, InMemory
 World::World(const Scene& scene, const InMemoryMeshes& meshes, const Monitor& monitor)
     : impl_(std::make_unique<Impl>(build_world(scene, monitor, meshes))) {}
 World::~World() = default;
-World::World(const World& other) : impl_(std::make_unique<Impl>(*other.impl_)) {
+World::World(const World& other) : World(std::make_unique<Impl>(*other.impl_)) {}
+World::World(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {
   WorldState& world = impl_->state;  // views refer to data of the bodies of this world
   for (BodyView& view : world.output.bodies) view.collision_parts = world.bodies[view.id].collision_parts;
 }
@@ -154,6 +156,18 @@ Frame World::frame() const {
 }
 
 void World::step() { advance(impl_->state); }
+
+void World::step(const MicrostepObserver& observer) {
+  MicrostepWatch watch{.wants = observer.wants,
+                       .take =
+                           [&](std::int64_t microstep, WorldState&& moment) {
+                             observer.take(microstep, World(std::make_unique<Impl>(Impl{std::move(moment)})));
+                           },
+                       .undo = observer.undo};
+  impl_->state.watch = &watch;
+  advance(impl_->state);
+  impl_->state.watch = nullptr;
+}
 
 const std::vector<InputError>& World::findings() const { return impl_->state.model->findings; }
 

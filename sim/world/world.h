@@ -9,6 +9,7 @@
 #include "sim/scene/push.h"
 #include "sim/scene/scene.h"
 #include "sim/world/output/frame.h"
+#include "sim/world/output/microstep_observer.h"
 #include "sim/world/setup/in_memory_meshes.h"
 #include "sim/world/state/state_hashes.h"
 
@@ -33,6 +34,8 @@ class World {
 
   /// Advances by the scene's time step.
   void step();
+  /// Does the same and shows the microsteps of explicit dynamics to an observer.
+  void step(const MicrostepObserver& observer);
   /// Returns a read-only view, valid until the next call that changes the world.
   Frame frame() const;
   /// Returns problems of a scene that still runs: supports, loads and probes that hold nothing, oddities of mesh files.
@@ -73,6 +76,8 @@ class World {
 
  private:
   struct Impl;
+  explicit World(std::unique_ptr<Impl> impl);
+
   std::unique_ptr<Impl> impl_;
 };
 

@@ -122,7 +122,7 @@ TEST(IncludeRules, LowerFoldersOfTheSimulationKnowNoHigherOnes) {
           {"sim/splinters", "^sim/(core|geometry|mesh|meshing|splinters)$"},
           {"sim/explicit", "^sim/(core|geometry|mesh|elasticity|solver|contact|fracture|explicit)$"},
           {"sim/scene", "^sim/(core|mesh|meshing|elasticity|solver|fracture|splinters|scene)$"},
-          {"sim/timeline", "^sim/(scene|timeline|world)$"},
+          {"sim/timeline", "^sim/(core|scene|timeline|world)$"},
           {"sim/recording", "^sim/(core|mesh|scene|world(/(state|output|setup))?|timeline|recording)$"},
           {"sim/world", "^sim/(?!timeline|recording).*$"},
           {"sim/world/state",

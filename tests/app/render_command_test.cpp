@@ -1,13 +1,17 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "program.h"
 #include "renderer/image.h"
+#include "sim/core/read_file.h"
+#include "sim/world/world.h"
 
 namespace griffith::app {
 namespace {
@@ -264,6 +268,38 @@ TEST(RenderCommand, ATurntableGoesOnceAroundTheTarget) {
       << "the camera's own view";
   const Outcome refused = run_program(command + " --turntable 8 --ui");
   EXPECT_EQ(refused.code, 2);
+}
+
+/// Returns the first step of the small wall with microsteps.
+int first_struck_step() {
+  World world(small_wall());
+  do world.step();
+  while (world.frame().report.microsteps == 0);
+  return static_cast<int>(world.frame().step);
+}
+
+TEST(RenderCommand, MicrostepsOfAnImpactAreDrawnWithTheirTimes) {
+  const std::filesystem::path folder = test_folder() / "microsteps";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  const std::string command = "render " + small_wall_file().string() + " --size 160x100 --records --microsteps 5 -o " +
+                              (folder / "wall.png").string();
+  const Outcome refused = run_program(command + " --frame 1");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.output, ::testing::HasSubstr("step 1 has no microsteps"));
+  EXPECT_EQ(run_program(command).code, 2) << "nothing comes before frame 0";
+  EXPECT_EQ(run_program(command + " --frame 20 --ui").code, 2);
+  const int struck = first_struck_step();
+  ASSERT_EQ(run_program(command + " --frame " + std::to_string(struck)).code, 0);
+  double time = 0;
+  for (int i = 0; i < 4; ++i) {
+    const std::string name = "wall_00" + std::to_string(i);
+    EXPECT_THAT(read_file(folder / (name + ".txt")), ::testing::HasSubstr(" µs"));
+    const auto record = nlohmann::json::parse(read_file(folder / (name + ".json")));
+    EXPECT_EQ(record.at("frame"), struck);
+    EXPECT_GT(record.at("statistics").at("time").get<double>(), time);
+    time = record.at("statistics").at("time");
+  }
 }
 
 TEST(RenderCommand, EveryNthAngleOfAFinerTurntableIsThatOfACoarseOne) {

@@ -29,6 +29,9 @@ void draw_preferences_dialog(Panel& panel) {
   preference_row(panel, "preferences/autosave", "Autosave interval", kAutosaveIntervals, preferences.autosave_interval);
   preference_row(panel, "preferences/past_memory", "Memory for history", kPastMemories, preferences.past_memory);
   tooltip("With more memory, fewer steps are recomputed to go back in time.");
+  preference_row(panel, "preferences/microstep_memory", "Memory for microsteps", kMicrostepMemories,
+                 preferences.microstep_memory);
+  tooltip("With more memory, more microsteps of an impact are recorded for playback.");
   checkbox(panel, "preferences/invert_orbit", "Invert vertical orbit", preferences.invert_orbit);
   checkbox(panel, "preferences/invert_zoom", "Invert wheel zoom", preferences.invert_zoom);
   ImGui::Spacing();

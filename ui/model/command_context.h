@@ -16,6 +16,7 @@ struct CommandContext {
   const TimeView& time;
   std::int64_t step = 0;    ///< shown step
   bool has_legend = false;  ///< the picture has a color range
+  int microsteps = 0;       ///< number of microsteps of the last step
 };
 
 }  // namespace griffith::ui

@@ -17,6 +17,7 @@
 #include "ui/model/comparison.h"
 #include "ui/model/edit_history.h"
 #include "ui/model/gizmo.h"
+#include "ui/model/microsteps.h"
 #include "ui/model/number_edit.h"
 #include "ui/model/painted_region.h"
 #include "ui/model/preferences.h"
@@ -27,6 +28,7 @@
 #include "ui/model/scene_problem.h"
 #include "ui/model/selection.h"
 #include "ui/model/stop.h"
+#include "ui/model/symbol.h"
 #include "ui/model/time_view.h"
 
 namespace griffith::ui {
@@ -156,8 +158,10 @@ struct PushMark {
 struct EditorState {
   bool running = false;
   Breakpoints breakpoints;
-  std::optional<Stop> stop;           ///< reason why the simulation stopped by itself in the shown state
-  double speed = 1;                   ///< simulated seconds per second, 0.001..1
+  std::optional<Stop> stop;                     ///< reason why the simulation stopped by itself in the shown state
+  double speed = 1;                             ///< simulated seconds per second, 0.001..1
+  std::optional<MicrostepPlayback> microsteps;  ///< while microsteps are shown
+  double microstep_seconds = 8;                 ///< time in which all recorded microsteps are played [s]
   bool explain_first_crack = false;   ///< selects the node of the next crack, so that the inspector explains it
   std::int64_t steps_left = 0;        ///< steps until the simulation stops; 0: runs on
   std::optional<int> asked_steps;     ///< number in the dialog that asks for steps
@@ -186,6 +190,7 @@ struct EditorState {
   std::array<char, 64> body_filter = {};  ///< text that the listed names or states contain
   FieldNote field_note;                   ///< message about the last edit, until the next click
   Selection selection;                    ///< picked in the view; follows the material through fracture
+  std::optional<Symbol> symbol;           ///< symbol of a layer picked in the view
   GizmoTool gizmo = GizmoTool::none;      ///< handles of the selected entries in the view
   bool snap = false;                      ///< drags of handles snap; Ctrl inverts it
   SnapTarget snap_target = SnapTarget::round_values;

@@ -16,13 +16,14 @@ struct Preferences {
   PlotChoice plotted = {"energy.kinetic", "energy.elastic", "pieces"};
   bool logarithmic_plots = false;  ///< logarithmic axes of plots
   double past_memory = 768;        ///< memory for snapshots, which make going back fast [MB]
+  double microstep_memory = 512;   ///< memory for the recorded microsteps of a step [MB]
 
   bool operator==(const Preferences&) const = default;
 };
 
 inline constexpr Numbers kUiScales = between(0.75, 3, "-"), kAutosaveIntervals = between(5, 3600, "s"),
                          kMouseSpeeds = between(0.1, 5, "-"), kSideWidths = between(240, 520, ""),
-                         kPastMemories = between(32, 65536, "MB");
+                         kPastMemories = between(32, 65536, "MB"), kMicrostepMemories = between(32, 65536, "MB");
 
 /// Calls `visit(name, member, limits)` for each number and `visit(name, member)` for each switch and for the choice of
 /// plots.
@@ -32,6 +33,7 @@ void each_preference(P& preferences, const Visit& visit) {
   visit("autosave_interval", preferences.autosave_interval, kAutosaveIntervals);
   visit("mouse_speed", preferences.mouse_speed, kMouseSpeeds);
   visit("past_memory", preferences.past_memory, kPastMemories);
+  visit("microstep_memory", preferences.microstep_memory, kMicrostepMemories);
   visit("left_width", preferences.left_width, kSideWidths);
   visit("right_width", preferences.right_width, kSideWidths);
   visit("invert_orbit", preferences.invert_orbit);

@@ -26,13 +26,14 @@ struct Layout {
   float bottom() const { return end.y - status_height - time_height; }
 };
 
-Layout lay_out() {
+Layout lay_out(const Panel& panel) {
   const ImGuiViewport* viewport = ImGui::GetMainViewport();
   const ImGuiStyle& style = ImGui::GetStyle();
+  const float row = ImGui::GetFrameHeight() + style.ItemSpacing.y;
   return {viewport->WorkPos,
           {viewport->WorkPos.x + viewport->WorkSize.x, viewport->WorkPos.y + viewport->WorkSize.y},
           ImGui::GetFrameHeight() + 2 * style.WindowPadding.y,
-          ImGui::GetFrameHeight() + style.WindowPadding.y,
+          ImGui::GetFrameHeight() + style.WindowPadding.y + (panel.input.microsteps ? 2 * row : 0),
           ImGui::GetTextLineHeight() + style.WindowPadding.y};
 }
 
@@ -77,6 +78,7 @@ void draw_right(Panel& panel, const Layout& layout) {
   draw_view_panel(panel);
   // Rows of numbers are more compact than widgets.
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 3 * ui_scale(panel)});
+  draw_symbol_panel(panel);
   draw_inspector_panel(panel);
   draw_statistics_panel(panel);
   ImGui::PopStyleVar();
@@ -90,6 +92,7 @@ void draw_bars(Panel& panel, const Layout& layout) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ImGui::GetStyle().WindowPadding.x, 4 * ui_scale(panel)});
   const float status = layout.end.y - layout.status_height;
   begin_fixed("##timebar", {layout.corner.x, layout.bottom()}, {layout.end.x, status}, kBar, palette::kWindow);
+  if (panel.input.microsteps && panel.state.microsteps) draw_microstep_bar(panel);
   draw_time_bar(panel);
   ImGui::End();
   begin_fixed("##status", {layout.corner.x, status}, layout.end, kBar, palette::kWindow);
@@ -160,7 +163,7 @@ std::vector<Command> draw_editor(const EditorInput& input, EditorState& state, E
     if (ImGui::IsMouseClicked(button)) state.field_note = {};
   issue_shortcuts(panel);
   draw_menu_bar(panel);
-  const Layout layout = lay_out();
+  const Layout layout = lay_out(panel);
   draw_bars(panel, layout);
   draw_left(panel, layout);
   draw_right(panel, layout);

@@ -136,6 +136,20 @@ void event_rows(const Panel& panel, const NodeReport& report) {
   }
 }
 
+const char* state_of(const BodyView& body) {
+  if (body.asleep) return "asleep";
+  return body.rigid ? "rigid" : "elastic";
+}
+
+/// Describes the piece that a body broke off and the time of its first crack: "piece 0, 26.8 ms".
+std::string origin_of(const BodyView& body, const Frame& frame) {
+  std::string text = "piece " + std::to_string(body.parent.index());
+  const auto parted = std::ranges::find_if(frame.crack_events, [&](const CrackEvent& crack) {
+    return std::ranges::find(crack.children, body.id) != crack.children.end();
+  });
+  return parted == frame.crack_events.end() ? text : text + ", " + format_quantity(parted->time, "s", 3);
+}
+
 void element_rows(const Panel& panel, TetId tet) {
   const Frame& frame = panel.input.frame;
   const Mat3& stress = frame.elements.stresses[tet];
@@ -146,6 +160,8 @@ void element_rows(const Panel& panel, TetId tet) {
   if (body.rigid) hint(panel, "frozen when the piece became rigid");
   value_row(panel, "Piece", std::to_string(body.id.index()) + ", " + format_quantity(body.mass, "kg", 3),
             palette::kText);
+  value_row(panel, "Its state", state_of(body), palette::kText);
+  if (body.parent.valid()) value_row(panel, "Broke off", origin_of(body, frame), palette::kText);
   value_row(panel, "Its elements", std::to_string(body.tets), palette::kText);
   value_row(panel, "Speed", format_quantity(body.velocity.norm(), "m/s", 3), palette::kText);
   if (!body.broke_scaled) return;

@@ -31,6 +31,8 @@ void draw_view_warnings(Panel& panel, ImVec2 corner);
 
 /// Draws the plane across which the selected node cracks in the next step, if the simulation stopped before that.
 void draw_coming_crack(const Panel& panel);
+/// Marks the picked symbol of a layer.
+void draw_symbol(const Panel& panel);
 
 /// Lets the mouse move and rotate the selected entries if the gizmo is shown and the simulation is at its start. An
 /// arrow or plane moves all of them, a ring rotates the active one. Call it after the item that the picture fills. True

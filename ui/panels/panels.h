@@ -31,12 +31,16 @@ void draw_material_list(Panel& panel);
 void draw_handles_panel(Panel& panel);
 /// Draws the settings of the picture: quantity, range and colors, element style, slice, layers.
 void draw_view_panel(Panel& panel);
+/// Explains the picked symbol of a layer, if there is one: a crack plane, a contact, a principal axis.
+void draw_symbol_panel(Panel& panel);
 /// Explains why the picked node broke or holds, and describes its element and piece.
 void draw_inspector_panel(Panel& panel);
 /// Draws counts, solver statistics, times by phase and problems.
 void draw_statistics_panel(Panel& panel);
 /// Draws the picture with camera and projectile control, legend and hints.
 void draw_viewport(Panel& panel);
+/// Draws the recorded microsteps, for playback. They must be shown.
+void draw_microstep_bar(Panel& panel);
 /// Draws the recorded past, for going back, and the stop conditions.
 void draw_time_bar(Panel& panel);
 /// Draws the chosen series over time; a click or a drag goes to a step.

@@ -149,6 +149,7 @@ void timing_rows(const Panel& panel) {
 
 void draw_statistics_panel(Panel& panel) {
   mesh_rows(panel);
+  if (panel.input.microsteps) return hint(panel, "Energies, counters and times are those of whole steps.");
   energy_rows(panel);
   step_rows(panel);
   if (panel.state.show_times) timing_rows(panel);

@@ -33,9 +33,11 @@ struct Scale {
   ImVec2 low, high;
   std::int64_t first, steps;
 
-  float x(std::int64_t step) const {
-    return low.x + (high.x - low.x) * static_cast<float>(step - first) / static_cast<float>(steps);
+  float x(double step) const {
+    return low.x +
+           (high.x - low.x) * static_cast<float>((step - static_cast<double>(first)) / static_cast<double>(steps));
   }
+  float x(std::int64_t step) const { return x(static_cast<double>(step)); }
   std::int64_t step_at(float place) const {
     const float fraction = std::clamp((place - low.x) / (high.x - low.x), 0.0f, 1.0f);
     return first + std::llround(static_cast<double>(fraction) * static_cast<double>(steps));
@@ -73,9 +75,12 @@ void draw_bar(Panel& panel, float width) {
     list->AddRectFilled({start, bar.high.y - 3 * scale}, bar.high, palette::kAccent);
   }
   draw_ticks(panel, bar);
-  list->AddLine({bar.x(now), bar.low.y}, {bar.x(now), bar.high.y}, palette::kText, 2 * scale);
+  const double place = panel.input.microsteps ? panel.input.frame.time / time.time_step : static_cast<double>(now);
+  const float shown = bar.x(place);
+  list->AddLine({shown, bar.low.y}, {shown, bar.high.y}, palette::kText, 2 * scale);
   const std::int64_t pointed = bar.step_at(ImGui::GetIO().MousePos.x);
-  if (ImGui::IsItemActive() && pointed != now) issue(panel, {.name = "time.step", .step = pointed});
+  if (ImGui::IsItemActive() && (pointed != now || panel.input.microsteps))
+    issue(panel, {.name = "time.step", .step = pointed});
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
     const std::int64_t reach =
         std::max<std::int64_t>(0, std::llround(3 * scale / (bar.high.x - bar.low.x) * bar.steps));
@@ -201,6 +206,18 @@ void breakpoint_button(Panel& panel) {
   ImGui::EndPopup();
 }
 
+/// Draws the button of the microsteps; dim while the shown step has none.
+void microstep_button(Panel& panel) {
+  const CommandInfo& info = command_info("time.microsteps", panel);
+  const std::string_view reason = disabled_reason(info, panel);
+  const ImU32 color = panel.state.microsteps ? palette::kAccent : reason.empty() ? palette::kText : palette::kTextDim;
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  if (ImGui::Button("Microsteps")) issue(panel, {.name = info.name});
+  ImGui::PopStyleColor();
+  tag_last_item(panel.tags, "time/microsteps", panel.state.microsteps ? "shown" : reason.empty() ? "" : "none");
+  tooltip(std::string(reason.empty() ? info.hint : reason).c_str());
+}
+
 }  // namespace
 
 void draw_time_bar(Panel& panel) {
@@ -211,7 +228,7 @@ void draw_time_bar(Panel& panel) {
   const TimeView& time = panel.input.time;
   const float scale = ui_scale(panel), spacing = ImGui::GetStyle().ItemSpacing.x;
   const float branches = time.branches.size() > 1 ? 110 * scale + spacing + button_room("Compare…") : 0;
-  const float stop = button_room("Stop before…");
+  const float stop = button_room("Stop before…") + button_room("Microsteps");
   const float end = 1.25f * ImGui::GetFrameHeight() + spacing;
   draw_bar(panel, std::max(40 * scale, ImGui::GetContentRegionAvail().x - branches - stop - end));
   ImGui::SameLine();
@@ -223,6 +240,8 @@ void draw_time_bar(Panel& panel) {
     comparison_button(panel);
     ImGui::SameLine();
   }
+  microstep_button(panel);
+  ImGui::SameLine();
   breakpoint_button(panel);
 }
 

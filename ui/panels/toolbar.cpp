@@ -13,7 +13,7 @@ namespace {
 void gap(const Panel& panel, float design_pixels) { ImGui::SameLine(0, design_pixels * ui_scale(panel)); }
 
 void simulation_buttons(Panel& panel) {
-  const bool running = panel.state.running;
+  const bool running = panel.state.running || (panel.state.microsteps && panel.state.microsteps->playing);
   command_button(panel, "simulation.run", running ? Icon::pause : Icon::play, false, running);
   ImGui::SameLine();
   command_button(panel, "simulation.step", Icon::step, true);
@@ -46,16 +46,16 @@ void speed_field(Panel& panel) {
 void clock(const Panel& panel) {
   const EditorInput& input = panel.input;
   char text[160];
-  std::snprintf(text, sizeof text, "%.3f s", input.frame.time);
+  std::snprintf(text, sizeof text, input.microsteps ? "%.6f s" : "%.3f s", input.frame.time);
   ImGui::PushFont(input.fonts.bold);
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(text);
   ImGui::PopFont();
   tag_last_item(panel.tags, "toolbar/time", text);
   gap(panel, 14);
-  const std::int64_t left = panel.state.steps_left;
-  std::snprintf(text, sizeof text, left > 0 ? "step %lld of %lld" : "step %lld",
-                static_cast<long long>(input.frame.step), static_cast<long long>(input.frame.step + left));
+  const std::int64_t left = panel.state.steps_left, step = input.microsteps ? input.microsteps->step : input.frame.step;
+  std::snprintf(text, sizeof text, left > 0 ? "step %lld of %lld" : "step %lld", static_cast<long long>(step),
+                static_cast<long long>(step + left));
   ImGui::TextColored(as_vec4(palette::kTextDim), "%s", text);
   tag_last_item(panel.tags, "toolbar/step", text);
 }

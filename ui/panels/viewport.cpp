@@ -76,6 +76,7 @@ void draw_hints(const Panel& panel, ImVec2 corner, ImVec2 end) {
       "drag: orbit      shift+drag: pan      wheel: zoom      click: inspect      right click: fire (hold: aim)";
   if (panel.state.gizmo_drag || panel.state.region_drag)
     text = panel.state.snap ? "ctrl: do not snap      esc: cancel" : "ctrl: snap      esc: cancel";
+  if (panel.input.microsteps) text = "space: play      left, N: one microstep      click: inspect      U: close";
   if (panel.state.grab_tool) text = "drag a piece: pull it by a spring      elsewhere: orbit      D: done";
   if (panel.state.push_tool) text = "click on a piece: push it      drag: orbit      I: done";
   if (panel.state.mouse_grabs) text = panel.state.running ? "release: let go" : "release: let go      space: run";
@@ -92,7 +93,7 @@ void draw_hints(const Panel& panel, ImVec2 corner, ImVec2 end) {
 }
 
 void draw_pause_mark(const Panel& panel, ImVec2 corner) {
-  if (panel.state.running) return;
+  if (panel.state.running || (panel.state.microsteps && panel.state.microsteps->playing)) return;
   const float scale = ui_scale(panel), margin = 14 * scale;
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 low = {corner.x + margin, corner.y + margin}, high = {low.x + 96 * scale, low.y + 30 * scale};
@@ -149,6 +150,7 @@ void draw_viewport(Panel& panel) {
   draw_region(panel);
   draw_painted_region(panel);
   draw_coming_crack(panel);
+  draw_symbol(panel);
   draw_gizmo(panel);
   draw_aim(panel);
   draw_grab(panel);

@@ -10,7 +10,13 @@ namespace griffith::ui {
 namespace {
 
 CommandContext context_of(const Panel& panel) {
-  return {panel.state, panel.history, panel.input.time, panel.input.frame.step, panel.input.legend.has_value()};
+  const Frame& frame = panel.input.frame;
+  return {panel.state,
+          panel.history,
+          panel.input.time,
+          frame.step,
+          panel.input.legend.has_value(),
+          microsteps_of(frame, panel.history.scene())};
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "sim/world/output/frame.h"
 #include "ui/model/aim.h"
 #include "ui/model/editor_state.h"
+#include "ui/model/region_outline.h"
 #include "ui/model/view_camera.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/labels.h"
@@ -27,6 +28,7 @@ struct EditorInput {
   ViewCamera camera;                                    ///< camera of the picture
   std::optional<Legend> legend;                         ///< legend of the picture
   std::vector<PictureLabel> labels;                     ///< labels of the picture
+  std::vector<RegionLine> symbol_lines;                 ///< outline of the picked symbol, in the picture's world
   BodyId pointed;                                       ///< piece at EditorState::pointed_at; invalid: none
   Aim aim;                                              ///< predicted flight of the aimed shot
   std::span<const UtilizationSample> utilizations;      ///< past of the selected node, oldest first
@@ -42,6 +44,7 @@ struct EditorInput {
   TimeView time;                                        ///< the recorded past
   std::span<const RunSeries> series;                    ///< series that can be plotted
   RunCurves curves;                                     ///< plotted series, while plots are shown
+  std::optional<MicrostepView> microsteps;              ///< recorded microsteps, while they are shown
   std::optional<ComparisonView> comparison;             ///< comparison with another branch at the same step
   double time_step = 0;                                 ///< in force [s]
   double step_milliseconds = 0;                         ///< smoothed duration of a step

@@ -55,6 +55,10 @@ void wide_row_label(const Panel& panel, const char* label, ImU32 color) {
 }
 
 void value_row(const Panel& panel, const char* label, const std::string& value, ImU32 color) {
+  value_row(panel, (std::string("value/") + label).c_str(), label, value, color);
+}
+
+void value_row(const Panel& panel, const char* tag, const char* label, const std::string& value, ImU32 color) {
   const float start = ImGui::GetCursorPosX(), end = start + ImGui::GetContentRegionAvail().x;
   const float place = end - ImGui::CalcTextSize(value.c_str()).x;
   ImGui::TextColored(as_vec4(palette::kTextDim), "%s", label);
@@ -62,7 +66,7 @@ void value_row(const Panel& panel, const char* label, const std::string& value, 
   if (ImGui::GetCursorPosX() > place) ImGui::NewLine();  // no room for both
   ImGui::SetCursorPosX(std::max(start, place));
   ImGui::TextColored(as_vec4(color), "%s", value.c_str());
-  tag_last_item(panel.tags, std::string("value/") + label, value);
+  tag_last_item(panel.tags, tag, value);
 }
 
 void hint(const Panel& panel, const std::string& text) {

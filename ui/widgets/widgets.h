@@ -34,8 +34,10 @@ void row_label(const Panel& panel, const char* label, ImU32 color = palette::kTe
 /// Draws a label with a row of its own.
 void wide_row_label(const Panel& panel, const char* label, ImU32 color = palette::kTextDim);
 
-/// Draws a row "label: value" of plain text.
+/// Draws a row "label: value" of plain text, tagged "value/<label>".
 void value_row(const Panel& panel, const char* label, const std::string& value, ImU32 color);
+/// Draws such a row with another tag.
+void value_row(const Panel& panel, const char* tag, const char* label, const std::string& value, ImU32 color);
 
 /// Draws a small gray text that wraps.
 void hint(const Panel& panel, const std::string& text);

@@ -91,19 +91,19 @@ double ExplicitRun::front_stress(NodeId node) const {
   return body.explicit_state->similarity * std::min(material.tensile_strength, critical);
 }
 
-/// Lets the world know of the bonds that hold.
-void ExplicitRun::store_bonds() {
+/// Lets a world, that of the run or a copy of it, know of the bonds that hold.
+void ExplicitRun::store_bonds(WorldState& world) const {
   std::vector<bool> is_followed(slot_of_tet_.size());
   for (std::size_t tet = 0; tet < is_followed.size(); ++tet) is_followed[tet] = slot_of_tet_[tet] >= 0;
-  free_cohesive_faces(world_, is_followed);
+  free_cohesive_faces(world, is_followed);
   for (int i = 0; i < contacts_->crack_count(); ++i) {
     const explicit_dynamics::CrackSides& crack = contacts_->crack(i);
     if (std::ranges::none_of(crack.bonds, &Bond::holds)) continue;
     const TetId first = tets_[crack.first_slot], second = tets_[crack.second_slot];
     CohesiveFace face{{first, second, crack.first_corners, crack.second_corners}, crack.bonds};
-    const double f = body_of(world_.mesh->tets[first][0]).explicit_state->similarity;
+    const double f = body_of(world.mesh->tets[first][0]).explicit_state->similarity;
     for (Bond& bond : face.bonds) bond.force /= f, bond.critical *= f, bond.opening *= f;
-    add_cohesive_face(world_, face);
+    add_cohesive_face(world, face);
   }
 }
 

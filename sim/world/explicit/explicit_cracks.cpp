@@ -111,7 +111,8 @@ void ExplicitRun::update_linear_states(std::span<const TetId> tets, const Body& 
   find_states(
       placed, tets,
       [&](TetId tet, const FourDeformations& deformations, int lane) {
-        if (explicit_bodies_.is_relieved(slot_of_tet_[tet])) let_sliver_yield(tet, deformations.strain.of(lane));
+        if (explicit_bodies_.is_relieved(slot_of_tet_[tet]))
+          let_sliver_yield(world_, tet, deformations.strain.of(lane));
         return world_.elements.stress_free_strain(tet);
       },
       [&](TetId tet, const FourStates& found, int lane) { states[tet] = found.of(lane); });
@@ -225,7 +226,7 @@ void ExplicitRun::open(const Overload& overload) {
   const Body& body = body_of(node);
   const BodyId id = body.id;
   const double transit = transit_time(node);
-  if (world_.model->scene.bodies[body.scene_body].remeshing) write_back();
+  if (world_.model->scene.bodies[body.scene_body].remeshing) write_back(world_);
   world_.time = time_;
   const std::vector<TetId> star = world_.mesh->stars[node];
   std::vector<std::array<TetId, 4>> neighbors;

@@ -57,7 +57,7 @@ bool run_explicit(WorldState& world, std::vector<explicit_dynamics::Obstacle> ob
                   double max_work) {
   read_back_velocities(world, obstacles);
   const ObstacleAccount account(world, obstacles);
-  ExplicitRun run(world, std::move(obstacles));
+  ExplicitRun run(world, std::move(obstacles), duration);
   if (!run.run(duration, max_work)) return false;
   for (const explicit_dynamics::Obstacle& obstacle : run.obstacles()) place_obstacle(world, obstacle);
   account.record(world, run.obstacles());

@@ -27,8 +27,8 @@ constexpr double kLateCheck = 0.2;
 
 }  // namespace
 
-ExplicitRun::ExplicitRun(WorldState& world, std::vector<explicit_dynamics::Obstacle> obstacles, int group)
-    : world_(world), group_(group), time_(world.time) {
+ExplicitRun::ExplicitRun(WorldState& world, std::vector<explicit_dynamics::Obstacle> obstacles, double ahead, int group)
+    : world_(world), group_(group), start_(world.time), others_at_(world.time + ahead), time_(world.time) {
   opened_.first_event = world.crack_events.size();
   build(std::move(obstacles));
 }
@@ -169,6 +169,7 @@ bool ExplicitRun::run(double duration, double max_work) {
       contacts_->resolve(explicit_bodies_, dt_, min_speed_);
       record_impacts();
       if (time_ - world_.overload_check > interval) check_overload();
+      if (world_.watch) show_moment();
       if (work() > max_work) return account_work(), false;
     }
     contacts_->catch_up();
@@ -180,7 +181,7 @@ bool ExplicitRun::run(double duration, double max_work) {
     if (rebuild_) {
       world_.time = time_;
       work_ += contacts_->work();
-      store_bonds();
+      store_bonds(world_);
       build({contacts_->obstacles().begin(), contacts_->obstacles().end()});
     }
   }
@@ -244,31 +245,31 @@ void ExplicitRun::record_contact(const explicit_dynamics::MicrostepContacts::Rec
   }
 }
 
-void ExplicitRun::write_back() {
+void ExplicitRun::write_back(WorldState& world) const {
   for (int i = 0; i < explicit_bodies_.node_count(); ++i) {
     const bool sound = explicit_bodies_.position(i).allFinite() && explicit_bodies_.velocity(i).allFinite();
-    world_.nodes.positions[nodes_[i]] = sound ? explicit_bodies_.position(i) : explicit_bodies_.reference(i);
-    world_.nodes.velocities[nodes_[i]] = sound ? explicit_bodies_.velocity(i) : Vec3::Zero();
-    world_.report.non_finite_values += !sound;
+    world.nodes.positions[nodes_[i]] = sound ? explicit_bodies_.position(i) : explicit_bodies_.reference(i);
+    world.nodes.velocities[nodes_[i]] = sound ? explicit_bodies_.velocity(i) : Vec3::Zero();
+    world.report.non_finite_values += !sound;
   }
   for (int i = 0; i < explicit_bodies_.edge_count(); ++i) {
     const bool sound = explicit_bodies_.edge_offset(i).allFinite() && explicit_bodies_.edge_velocity(i).allFinite();
-    world_.edges.offsets[edges_[i]] = sound ? explicit_bodies_.edge_offset(i) : Vec3::Zero();
-    world_.edges.velocities[edges_[i]] = sound ? explicit_bodies_.edge_velocity(i) : Vec3::Zero();
+    world.edges.offsets[edges_[i]] = sound ? explicit_bodies_.edge_offset(i) : Vec3::Zero();
+    world.edges.velocities[edges_[i]] = sound ? explicit_bodies_.edge_velocity(i) : Vec3::Zero();
   }
   for (int slot = 0; slot < static_cast<int>(tets_.size()); ++slot) {
     if (!tets_[slot].valid() || !explicit_bodies_.is_relieved(slot)) continue;
     const TetId tet = tets_[slot];
-    const ElementModel model = world_.material_of(world_.bodies[world_.elements.bodies[tet]]).element_model;
-    const Corners corners = corners_of(world_.mesh, tet, world_.nodes.positions);
-    let_sliver_yield(tet, element_deformation(model, world_.elements.rest_elements[tet], corners).strain);
+    const ElementModel model = world.material_of(world.bodies[world.elements.bodies[tet]]).element_model;
+    const Corners corners = corners_of(world.mesh, tet, world.nodes.positions);
+    let_sliver_yield(world, tet, element_deformation(model, world.elements.rest_elements[tet], corners).strain);
   }
 }
 
 /// Makes the strain of a relieved sliver permanent as far as it has no stress: under the full stiffness it would return
 /// more energy than it received. `strain`: the total strain [-].
-void ExplicitRun::let_sliver_yield(TetId tet, const Mat3& strain) {
-  world_.elements.plastic_strains[tet] = strain - elastic_strain(tet, strain) - world_.elements.similarity_strains[tet];
+void ExplicitRun::let_sliver_yield(WorldState& world, TetId tet, const Mat3& strain) const {
+  world.elements.plastic_strains[tet] = strain - elastic_strain(tet, strain) - world.elements.similarity_strains[tet];
 }
 
 Mat3 ExplicitRun::elastic_strain(TetId tet, const Mat3& strain) const {
@@ -277,24 +278,25 @@ Mat3 ExplicitRun::elastic_strain(TetId tet, const Mat3& strain) const {
   return turn.transpose() * explicit_bodies_.elastic_strain(slot, turn * strain * turn.transpose()) * turn;
 }
 
-void ExplicitRun::finish(double duration) {
-  write_back();
-  store_bonds();
+/// Writes everything to `world`, which may be a copy of that of the run. `opened`: its cracks so far.
+void ExplicitRun::finish(WorldState& world, Opened opened, double duration) const {
+  write_back(world);
+  store_bonds(world);
   for (const explicit_dynamics::ExplicitConstraint& held : explicit_bodies_.constraints())
-    world_.nodes.reactions[nodes_[held.node]] =
+    world.nodes.reactions[nodes_[held.node]] =
         held.impulse / (duration * body_of(nodes_[held.node]).explicit_state->similarity);
-  const BondedPieces pieces(world_);
+  const BondedPieces pieces(world);
   for (const BodyId id : bodies_)
-    if (world_.bodies[id].bonded && pieces.of(world_.bodies[id]).size() > 1) opened_.bodies.insert(id);
-  if (!opened_.bodies.empty()) part_opened(world_, opened_);
-  for (Body& body : world_.bodies) {
+    if (world.bodies[id].bonded && pieces.of(world.bodies[id]).size() > 1) opened.bodies.insert(id);
+  if (!opened.bodies.empty()) part_opened(world, opened);
+  for (Body& body : world.bodies) {
     if (!is_followed(body)) continue;
     if (!body.rigid) {
-      const BodySnapshot before = snapshot(world_, body);
-      update_elements(world_, body);
-      world_.energy.plastic += plastic_work(world_, body, before);
+      const BodySnapshot before = snapshot(world, body);
+      update_elements(world, body);
+      world.energy.plastic += plastic_work(world, body, before);
     }
-    update_motion(world_, body);
+    update_motion(world, body);
     if (!body.rigid) continue;
     body.explicit_state.reset();
     body.explicit_ended = time_;

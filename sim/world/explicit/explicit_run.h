@@ -39,8 +39,9 @@ float screening_stress(const WorldState& world, NodeId node);
 /// Microsteps of bodies in explicit dynamics over a part of a step, from and back to the world.
 class ExplicitRun {
  public:
-  /// Prepares the bodies of a group. `obstacles`: the rigid objects that they may hit, in their present state.
-  ExplicitRun(WorldState& world, std::vector<explicit_dynamics::Obstacle> obstacles, int group = 0);
+  /// Prepares the bodies of a group. `obstacles`: the rigid objects that they may hit, in their present state. `ahead`:
+  /// time by which all other objects have moved on already [s].
+  ExplicitRun(WorldState& world, std::vector<explicit_dynamics::Obstacle> obstacles, double ahead, int group = 0);
 
   /// Makes microsteps for `duration` [s], with contacts and cracks. Returns false, with an invalid state, if they take
   /// more than `max_work` [µs of a typical core].
@@ -51,7 +52,7 @@ class ExplicitRun {
   double run_until_quiet(double quiet, double duration);
 
   /// Writes positions, velocities, reactions and pieces back to the world, after `duration` [s] in total.
-  void finish(double duration);
+  void finish(double duration) { finish(world_, opened_, duration); }
 
   std::span<const explicit_dynamics::Obstacle> obstacles() { return contacts_->obstacles(); }
 
@@ -115,15 +116,19 @@ class ExplicitRun {
   void constrain_again();
   void bond_copies(NodeId original, std::span<const NodeId> made, double utilization);
   double front_stress(NodeId node) const;
-  void store_bonds();
+  void finish(WorldState& world, Opened opened, double duration) const;
+  void show_moment();
+  WorldState moment() const;
+  void carry_others(WorldState& moment) const;
+  void store_bonds(WorldState& world) const;
   void update_threshold(int index);
   void update_linear_states(std::span<const TetId> tets, const Body& body, std::vector<ElementState>& states);
   void update_quadratic_states(std::span<const TetId> tets, const Body& body);
   void take_stale(TetId tet);
   void update_states_at_flagged();
-  void let_sliver_yield(TetId tet, const Mat3& strain);
+  void let_sliver_yield(WorldState& world, TetId tet, const Mat3& strain) const;
   Mat3 elastic_strain(TetId tet, const Mat3& strain) const;
-  void write_back();
+  void write_back(WorldState& world) const;
   void begin_account();
   void end_account();
   double work() const;
@@ -139,6 +144,7 @@ class ExplicitRun {
 
   WorldState& world_;
   int group_ = 0;
+  double start_ = 0, others_at_ = 0;  ///< time of the first microstep, and of all other objects [s]
   double quiet_ = std::numeric_limits<double>::infinity();  ///< after so long without new waves it ends [s]
   explicit_dynamics::ExplicitBodies explicit_bodies_;
   std::optional<explicit_dynamics::MicrostepContacts> contacts_;

@@ -98,14 +98,15 @@ void fly(WorldState& world, Body& body, double time) {
 }
 
 Followed follow_impact(WorldState& world, const Impact& impact, const Flights& flights, double contact) {
-  const SharedMicrosteps shared(world, world.time + impact.met.strike + contact);
+  const double until_contact = impact.met.strike + contact;
+  const SharedMicrosteps shared(world, world.time + until_contact);
   bring_together(world, impact, flights, contact);
   double window = 0;
   for (int i = 0; i < 2; ++i)
     if (impact.deforms[i]) window = std::max(window, impact_window(world, world.bodies[impact.bodies[i]]));
   std::vector<explicit_dynamics::Obstacle> obstacles = obstacles_of(world, impact);
   const ObstacleAccount account(world, obstacles);
-  ExplicitRun run(world, std::move(obstacles), kAlone);
+  ExplicitRun run(world, std::move(obstacles), -until_contact, kAlone);
   Followed followed;
   followed.time = run.run_until_quiet(window, world.model->scene.simulation.time_step);
   for (const explicit_dynamics::Obstacle& obstacle : run.obstacles()) place_obstacle(world, obstacle);

@@ -102,6 +102,8 @@ struct ElementArrays {
     return plastic_strains.empty() ? Mat3(Mat3::Zero()) : Mat3(plastic_strains[tet] + similarity_strains[tet]);
   }
 
+  /// Stops sharing with copies what bodies write side by side.
+  void own_states() { states.edit(), stresses.edit(), quadratic_states.edit(); }
   /// Makes room for as many tets; new ones have no stress and belong to no body.
   void resize(std::size_t count);
   /// Appends a tet like another one.

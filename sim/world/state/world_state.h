@@ -25,6 +25,7 @@
 #include "sim/world/output/frame.h"
 #include "sim/world/output/probes.h"
 #include "sim/world/state/mesh_arrays.h"
+#include "sim/world/state/microstep_watch.h"
 #include "sim/world/state/model.h"
 
 namespace griffith {
@@ -203,6 +204,7 @@ struct WorldState {
   double overload_check = OverloadHistory::kNever;  ///< time of the last check for overload in microsteps [s]
   double potential_at_start = 0;  ///< potential energy of gravity, including objects launched since [J]
   Scratch scratch;
+  MicrostepWatch* watch = nullptr;  ///< observes the microsteps of the present step
 
   bool integrates_explicitly() const { return model->scene.simulation.integrator == Integrator::explicit_; }
   /// Returns the body of a proxy; invalid for projectiles and the ground.
