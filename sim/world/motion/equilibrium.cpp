@@ -118,8 +118,7 @@ class GroundedNodes {
   /// Lets nodes on the ground move down to it and no further.
   void block(std::vector<NodeConstraint>& displacements) const {
     for (std::size_t i = 0; i < body_.nodes.size(); ++i)
-      if (is_on_ground_[i])
-        displacements[body_.nodes[i]].block(Vec3::UnitY(), height_ - before_.positions[i].y());
+      if (is_on_ground_[i]) displacements[body_.nodes[i]].block(Vec3::UnitY(), height_ - before_.positions[i].y());
   }
 
   /// Removes the ground's forces from the reactions of supports.
