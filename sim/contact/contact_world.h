@@ -166,8 +166,8 @@ class ContactWorld {
   /// and of which one is elastic: their owner solves them by law() and hands in set_impulse(). The owner turns what is
   /// hinged by the impulses. Returns how many times a contact was solved, for those who count work.
   int solve(double dt, std::span<const ElasticObject> elastic = {}, std::span<const HingedObject> hinged = {});
-  /// Leaves rigid groups at rest to the owner, too, in which the sweeps of the last solve() did not converge: few bodies,
-  /// such as a tower of bars, of which each is carried by many others. `dt` as there.
+  /// Leaves rigid groups at rest to the owner, too, in which the sweeps of the last solve() did not converge: few
+  /// bodies, such as a tower of bars, of which each is carried by many others. `dt` as there.
   void leave_unsettled_groups(double dt);
   /// Returns the contacts of the groups that the last solve() left to the owner, each ascending.
   std::vector<std::vector<int>> elastic_groups() const;

@@ -50,7 +50,6 @@ struct RigidGroup {
 /// and angular. Overlaps go by displacements that add no velocity. What strikes parts at the end, by a velocity that
 /// leads back to restitution² of the height it fell from. Results do not depend on the threads. Returns how many times
 /// a contact was solved.
-int solve_rigid(std::span<RigidBody> bodies, std::span<RigidContact> contacts, std::span<RigidGroup> groups,
-                double dt);
+int solve_rigid(std::span<RigidBody> bodies, std::span<RigidContact> contacts, std::span<RigidGroup> groups, double dt);
 
 }  // namespace griffith::contact

@@ -23,6 +23,13 @@ Compaction compaction_of(const ElasticLaw& law, const Mat3& strain, bool inverte
 /// True if a law resists the compaction of an element to this volume ratio J.
 bool is_compacted_at(const ElasticLaw& law, double volume_ratio);
 
+/// Values of U and its derivatives by J [J/m³].
+struct VolumeEnergy {
+  double value = 0, slope = 0, curvature = 0;
+};
+/// Returns U of an element with this volume ratio J, at which its law resists compaction.
+VolumeEnergy volume_energy(const ElasticLaw& law, double volume_ratio);
+
 /// Modulus κ of a law with these constants [Pa]: from J₀ on, the element is some times stiffer than at rest.
 inline double compaction_modulus(double lambda, double mu) { return 0.25 * (lambda + 2 * mu); }
 

@@ -17,6 +17,7 @@ struct DeformableInertia {
   Eigen::VectorXd masses = {};                              ///< per row, of an explicit step [kg]
   WholeMotion whole = {};
   const FactorPreconditioner* factors = nullptr;  ///< factors of `matrix`, null if none
+  bool factors_with_contacts = false;             ///< `matrix` is factored together with its contacts: its rows are few
   int rows() const { return matrix ? matrix->rows() : static_cast<int>(masses.size()); }
 };
 
@@ -43,6 +44,7 @@ struct FrictionContact {
   double target_velocity = 0;         ///< least velocity of parting [m/s]
   Vec3 free_velocity = Vec3::Zero();  ///< velocity of a relative to b without impulses [m/s]
   Vec3 impulse = Vec3::Zero();        ///< on a: a guess before, the solution after [N·s]
+  double lift = -1;  ///< friction times sliding speed, likewise [m/s]; negative before: that of free_velocity
 };
 
 }  // namespace griffith

@@ -97,7 +97,7 @@ void ContactBodies::multiply(const Eigen::VectorXd& v, Eigen::VectorXd& product)
 
 ContactMotion::ContactMotion(const ContactBodies& bodies, std::span<const DeformableInertia> deformable,
                              std::span<const FrictionContact> contacts)
-    : deformable_(deformable) {
+    : deformable_(deformable), levers_of_(deformable.size()) {
   for (const FrictionContact& contact : contacts) {
     add_side(bodies, contact.a, contact.axes.transpose());
     add_side(bodies, contact.b, -contact.axes.transpose());
@@ -107,13 +107,17 @@ ContactMotion::ContactMotion(const ContactBodies& bodies, std::span<const Deform
 
 Eigen::Matrix3Xd ContactMotion::of(const Eigen::VectorXd& v) const {
   Eigen::Matrix3Xd relative = local_.multiply(v);
-  for (const Lever& lever : levers_) relative.col(lever.contact) += lever.arm * spin_of(lever, v);
+  std::vector<Vec3> spins(levers_of_.size(), Vec3::Zero());
+  for (std::size_t body = 0; body < spins.size(); ++body)
+    if (!levers_of_[body].empty()) spins[body] = spin_of(levers_[levers_of_[body].front()], v);
+  for (const Lever& lever : levers_) relative.col(lever.contact) += lever.arm * spins[lever.body];
   return relative;
 }
 
 void ContactMotion::add_impulses(const Eigen::Matrix3Xd& p, Eigen::VectorXd& v) const {
   local_.add_transposed(p, v);
-  for (const Lever& lever : levers_) add_torque(lever, lever.arm.transpose() * p.col(lever.contact), v);
+  for (const std::vector<int>& levers : levers_of_)
+    if (!levers.empty()) add_torques(levers, p, v);
 }
 
 void ContactMotion::add_side(const ContactBodies& bodies, const ContactSide& side, const Mat3& axes) {
@@ -124,8 +128,9 @@ void ContactMotion::add_side(const ContactBodies& bodies, const ContactSide& sid
     return condensed->add_side(side, axes, offset, local_);
   for (int i = 0; i < 3; ++i)
     if (const int row = side.point.rows[i]; row >= 0) local_.add(offset + 3 * row, axes * side.point.weights[i]);
-  if (!side.offset.isZero(0))
-    levers_.push_back({local_.contacts(), side.body, offset, -axes * cross_matrix(side.offset)});
+  if (side.offset.isZero(0)) return;
+  levers_of_[side.body].push_back(static_cast<int>(levers_.size()));
+  levers_.push_back({local_.contacts(), side.body, offset, -axes * cross_matrix(side.offset)});
 }
 
 Vec3 ContactMotion::spin_of(const Lever& lever, const Eigen::VectorXd& v) const {
@@ -133,11 +138,18 @@ Vec3 ContactMotion::spin_of(const Lever& lever, const Eigen::VectorXd& v) const 
   return whole.spin_of(v.segment(lever.offset, whole.arms.size()).reshaped(3, whole.arms.cols()));
 }
 
-void ContactMotion::add_torque(const Lever& lever, const Vec3& torque, Eigen::VectorXd& v) const {
-  const WholeMotion& whole = deformable_[lever.body].whole;
-  const Vec3 spin = whole.inverse_inertia * torque;
-  for (Eigen::Index row = 0; row < whole.masses.size(); ++row)
-    v.segment<3>(lever.offset + 3 * row) += whole.masses[row] * spin.cross(Vec3(whole.arms.col(row)));
+void ContactMotion::add_torques(std::span<const int> levers, const Eigen::Matrix3Xd& p, Eigen::VectorXd& v) const {
+  const Lever& first = levers_[levers.front()];
+  const WholeMotion& whole = deformable_[first.body].whole;
+  std::vector<Vec3> spins;
+  for (const int lever : levers)
+    spins.push_back(whole.inverse_inertia * Vec3(levers_[lever].arm.transpose() * p.col(levers_[lever].contact)));
+  for (Eigen::Index row = 0; row < whole.masses.size(); ++row) {
+    const Vec3 arm = whole.arms.col(row);
+    Vec3 impulse = v.segment<3>(first.offset + 3 * row);
+    for (const Vec3& spin : spins) impulse += whole.masses[row] * spin.cross(arm);
+    v.segment<3>(first.offset + 3 * row) = impulse;
+  }
 }
 
 }  // namespace griffith

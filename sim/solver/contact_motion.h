@@ -68,11 +68,12 @@ class ContactMotion {
 
   void add_side(const ContactBodies& bodies, const ContactSide& side, const Mat3& axes);
   Vec3 spin_of(const Lever& lever, const Eigen::VectorXd& v) const;
-  void add_torque(const Lever& lever, const Vec3& torque, Eigen::VectorXd& v) const;
+  void add_torques(std::span<const int> levers, const Eigen::Matrix3Xd& p, Eigen::VectorXd& v) const;
 
   std::span<const DeformableInertia> deformable_;
   ContactJacobian local_;
   std::vector<Lever> levers_;
+  std::vector<std::vector<int>> levers_of_;  ///< indices into levers_, per deformable body
 };
 
 }  // namespace griffith

@@ -92,7 +92,8 @@ ContactPreconditioner::ContactPreconditioner(const ContactBodies& bodies, std::s
     bodies_[i].offset = bodies.first_of_deformable(i);
     bodies_[i].condensed = bodies.condensed(i);
     if (bodies_[i].condensed) continue;
-    bodies_[i].has_all_rows = deformable[i].factors && deformable[i].factors->exists();
+    bodies_[i].has_all_rows =
+        deformable[i].factors_with_contacts || (deformable[i].factors && deformable[i].factors->exists());
     bodies_[i].touched = bodies_[i].has_all_rows ? all_rows(deformable[i]) : std::move(touched[i]);
     reduce_coarse_space(i);
   }

@@ -47,9 +47,9 @@ class ContactSolver {
       const double sliding = contact.free_velocity.tail<2>().norm();
       // What stuck goes on sticking, even where it could lift off as well (Painlevé 1895).
       const bool stuck = sticks(contact.impulse, contact.friction);
-      round_.lifts[i] = stuck ? 0 : contact.friction * sliding;
+      round_.lifts[i] = contact.lift >= 0 ? contact.lift : stuck ? 0 : contact.friction * sliding;
       course_.push_back(softness_of(deformable, rigid, contact));
-      round_.softness.push_back(course_[i].first);
+      round_.softness.push_back(tolerance.continues ? course_[i].settled : course_[i].first);
       to_change_ = std::max({to_change_, contact.target_velocity - contact.free_velocity[0], stuck ? sliding : 0});
     }
     round_.outer_change = to_change_;
@@ -77,7 +77,10 @@ class ContactSolver {
     }
     if (round_.unconverged > 0) settle_for_impulses();
     if (!responded) respond();
-    for (std::size_t i = 0; i < contacts_.size(); ++i) contacts_[i].impulse = round_.impulses.col(i);
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      contacts_[i].impulse = round_.impulses.col(i);
+      contacts_[i].lift = round_.found_lifts[i];
+    }
     report_.unconverged = round_.unconverged;
     return report_;
   }

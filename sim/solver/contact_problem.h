@@ -17,6 +17,7 @@ struct ContactSolveReport {
 struct ContactTolerance {
   double relative = 1e-4;          ///< fraction of the largest velocity change required by contacts
   double negligible_speed = 1e-9;  ///< [m/s]
+  bool continues = false;  ///< impulses are those of nearly the same problem: contacts begin as stiff as elements
   int max_rounds = 30, max_newton_steps = 60, max_iterations = 400;
 };
 

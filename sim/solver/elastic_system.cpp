@@ -217,8 +217,17 @@ void ElasticSystem::assemble(const ImplicitStep& step, const ElasticLaw& law,
                              std::span<const RestElement> rest_elements, std::span<const ElementState> states,
                              std::span<const Vec3> positions, std::span<const double> masses,
                              std::span<const double> edge_masses) {
-  assemble(MatrixFactors{1 + step.dt * step.mass_damping, step.dt * (step.dt + step.stiffness_damping)}, law,
-           rest_elements, states, positions, masses, edge_masses);
+  assemble(matrix_factors(step), law, rest_elements, states, positions, masses, edge_masses);
+}
+
+void ElasticSystem::assemble(const ImplicitStep& step, std::span<const RestElement> rest_elements,
+                             std::span<const TangentStiffness> tangents, std::span<const Vec3> positions,
+                             std::span<const double> masses) {
+  inputs_.reset();
+  rows_.edit().assemble(matrix_factors(step), rest_elements, tangents, masses);
+  support_rows_.edit().assemble(matrix_factors(step), rest_elements, tangents, masses);
+  project_sliding_rows();
+  preconditioner_->edit().update(matrix(), gather(positions));
 }
 
 void ElasticSystem::assemble(const MatrixFactors& factors, const ElasticLaw& law,

@@ -22,6 +22,11 @@ struct ImplicitStep {
   int max_iterations = 400;
 };
 
+/// Returns the factors of mass and stiffness in A.
+inline MatrixFactors matrix_factors(const ImplicitStep& step) {
+  return {1 + step.dt * step.mass_damping, step.dt * (step.dt + step.stiffness_damping)};
+}
+
 /// The edges of quadratic bodies, per edge of the mesh; empty for a linear body.
 struct EdgeMotion {
   std::span<const Vec3> offsets;   ///< [m]
@@ -79,6 +84,11 @@ class ElasticSystem {
   void assemble(const MatrixFactors& factors, const ElasticLaw& law, std::span<const RestElement> rest_elements,
                 std::span<const ElementState> states, std::span<const Vec3> positions, std::span<const double> masses,
                 std::span<const double> edge_masses = {});
+
+  /// Assembles the step of a linear body with the second derivatives of its energy, per tet of the mesh.
+  void assemble(const ImplicitStep& step, std::span<const RestElement> rest_elements,
+                std::span<const TangentStiffness> tangents, std::span<const Vec3> positions,
+                std::span<const double> masses);
 
   /// Replaces the velocities of the body's nodes by v⁺ under `forces` (elastic plus external, per node of the mesh
   /// [N]); after assemble(). `constraints` block the directions that they blocked at construction, at any speed. The

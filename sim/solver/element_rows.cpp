@@ -104,6 +104,21 @@ void ElementRows::assemble(const MatrixFactors& factors, const ElasticLaw& law,
                            std::span<const RestElement> rest_elements, std::span<const ElementState> states,
                            std::span<const double> masses, std::span<const double> edge_masses) {
   if (!edge_slots.empty()) return assemble_quadratic(factors, law, rest_elements, states, masses, edge_masses);
+  assemble_rows(factors.mass, masses, [&](const TetAtNode& entry) {
+    return stiffness_row(law, rest_elements[entry.tet], states[entry.tet], entry.corner, factors.stiffness);
+  });
+}
+
+void ElementRows::assemble(const MatrixFactors& factors, std::span<const RestElement> rest_elements,
+                           std::span<const TangentStiffness> tangents, std::span<const double> masses) {
+  assemble_rows(factors.mass, masses, [&](const TetAtNode& entry) {
+    return tangents[entry.tet].row(rest_elements[entry.tet], entry.corner, factors.stiffness);
+  });
+}
+
+/// `row_of`: the stiffness of a tet, the row of one of its corners.
+template <class RowOf>
+void ElementRows::assemble_rows(double of_mass, std::span<const double> masses, const RowOf& row_of) {
   parallel_for(matrix.rows(), 256, [&](int begin, int end) {
     std::vector<simd::WideQuad> columns;  // of the row's blocks
     for (int row = begin; row < end; ++row) {
@@ -111,15 +126,14 @@ void ElementRows::assemble(const MatrixFactors& factors, const ElasticLaw& law,
       columns.assign(3 * static_cast<std::size_t>(last - first), simd::WideQuad{});
       for (int e = tet_starts[row]; e < tet_starts[row + 1]; ++e) {
         const TetAtNode& entry = tets[e];
-        const StiffnessRow stiffness =
-            stiffness_row(law, rest_elements[entry.tet], states[entry.tet], entry.corner, factors.stiffness);
+        const StiffnessRow stiffness = row_of(entry);
         for (int i = 0; i < 4; ++i)
           for (int k = 0; k < 3 && entry.slots[i] >= 0; ++k)
             columns[3 * entry.slots[i] + k] += stiffness.columns[3 * i + k];
       }
       for (int k = first; k < last; ++k) matrix.blocks[k] = simd::matrix_of(&columns[3 * (k - first)]);
       const TetAtNode& any = tets[tet_starts[row]];
-      matrix.blocks[first + any.slots[any.corner]].diagonal().array() += factors.mass * masses[nodes[row]];
+      matrix.blocks[first + any.slots[any.corner]].diagonal().array() += of_mass * masses[nodes[row]];
     }
   });
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/elasticity/element.h"
+#include "sim/elasticity/tangent_stiffness.h"
 #include "sim/mesh/tet_edges.h"
 #include "sim/mesh/tet_mesh.h"
 #include "sim/solver/block_sparse_matrix.h"
@@ -66,7 +67,13 @@ struct ElementRows {
                 std::span<const ElementState> states, std::span<const double> masses,
                 std::span<const double> edge_masses = {});
 
+  /// Does the same for a linear body, with the second derivatives of its energy, per tet of the mesh.
+  void assemble(const MatrixFactors& factors, std::span<const RestElement> rest_elements,
+                std::span<const TangentStiffness> tangents, std::span<const double> masses);
+
  private:
+  template <class RowOf>
+  void assemble_rows(double of_mass, std::span<const double> masses, const RowOf& row_of);
   void add_quadratic_row(const TetMesh& mesh, const TetEdges& topology, std::span<const std::pair<TetId, int>> star,
                          const QuadraticColumns& columns);
   void assemble_quadratic(const MatrixFactors& factors, const ElasticLaw& law,

@@ -17,8 +17,8 @@ bool pair_less(const Allowance& left, const Allowance& right) {
   return std::tie(left.a, left.b) < std::tie(right.a, right.b);
 }
 
-/// True for the ground under a supported body that is new, has just moved or lies on it. One that stands still otherwise
-/// loads its supports.
+/// True for the ground under a supported body that is new, has just moved or lies on it. One that stands still
+/// otherwise loads its supports.
 bool is_kinematic_on_ground(const Object& a, const Object& b) {
   const bool has_ground = a.kind == Kind::ground || b.kind == Kind::ground;
   const auto may_lie = [](const Object& object) { return object.fresh || object.active || object.carried; };

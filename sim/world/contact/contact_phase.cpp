@@ -7,15 +7,14 @@
 
 #include "sim/core/parallel.h"
 #include "sim/core/rotation.h"
-#include "sim/solver/contact_response.h"
 #include "sim/solver/rigid_motion.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/bodies/expected_impacts.h"
 #include "sim/world/contact/elastic_contacts.h"
 #include "sim/world/contact/face_contacts.h"
 #include "sim/world/contact/large_strains.h"
-#include "sim/world/contact/pressure_distribution.h"
 #include "sim/world/contact/quasi_static.h"
+#include "sim/world/contact/respond.h"
 #include "sim/world/contact/touched_body.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/impacts/struck_bodies.h"
@@ -146,104 +145,30 @@ void read_back_rigid_velocities(WorldState& world) {
   }
 }
 
-/// Returns the velocity changes of an elastic body's rows by nodal impulses, each node on its own.
-NodeVectors respond_explicitly(WorldState& world, const Body& body, double dt, const std::vector<Vec3>& impulses) {
-  NodeArrays& nodes = world.nodes;
-  NodeVectors change = body.system->gather(impulses);
-  const std::span<const NodeId> rows = body.system->nodes();
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    const NodeId node = rows[row];
-    change.col(row) = (nodes.constraints[node].allowed * change.col(row) / nodes.masses[node]).eval();
+void replace_contacts(WorldState& world, const SpreadContacts& spread) {
+  if (!spread.added.empty()) world.contact_world.replace_contacts(spread.replaced, spread.added);
+}
+
+/// Foresees where soft bodies turn to in the substep.
+void foresee_turns(const WorldState& world, TouchedBodies& touched, double dt) {
+  for (TouchedBody& of : touched.bodies) foresee_turn(world, of, dt);
+}
+
+/// Finds the impulses on which all that touches agrees. Rigid and sleeping bodies that must deform under them do.
+SolvedContacts solve_contacts(WorldState& world, double dt) {
+  SolvedContacts solved{touched_bodies(world), {}};
+  TouchedBodies& touched = solved.touched;
+  fit_contacts(world, touched, world.contact_world.contacts());
+  foresee_turns(world, touched, dt);
+  keep_contacts(touched, world.contact_world.drop_near_misses(dt, approach_speeds(world, touched, dt)));
+  solved.groups = solve_elastic_contacts(world, touched, dt);
+  while (make_struck_bodies_elastic(world, dt)) {
+    replace_contacts(world, spread_contacts(world, dt));
+    touched = touched_bodies(world);
+    foresee_turns(world, touched, dt);
+    solved.groups = solve_elastic_contacts(world, touched, dt);
   }
-  for (NodeId node : body.system->supports())
-    nodes.reactions[node] -= (impulses[node] - nodes.constraints[node].allowed * impulses[node]) / dt;
-  return change;
-}
-
-/// Adds what its contacts did to the velocities of a body.
-void add_changes(WorldState& world, const TouchedBody& touched) {
-  const std::span<const NodeId> nodes = world.bodies[touched.body].system->nodes();
-  for (std::size_t row = 0; row < nodes.size(); ++row) world.nodes.velocities[nodes[row]] += touched.change.col(row);
-  const std::span<const EdgeId> edges = world.bodies[touched.body].system->edges();
-  for (std::size_t i = 0, row = nodes.size(); i < edges.size(); ++i, ++row)
-    world.edges.velocities[edges[i]] += touched.change.col(row);
-}
-
-/// Impulses on a body and where they act.
-struct LoadedBody {
-  TouchedBody at;
-  Eigen::Matrix3Xd impulses;  ///< one column a point [N·s]
-};
-
-/// Adds the impulses at the contacts of an object, except those that are replaced.
-void add_impulses(std::span<const Contact> contacts, const std::vector<bool>& replaced, const TouchedBody& touched,
-                  const ElasticObject& object, LoadedBody& loaded) {
-  for (std::size_t k = 0; k < object.contacts.size(); ++k) {
-    if (replaced[object.contacts[k]]) continue;
-    const Contact& contact = contacts[object.contacts[k]];
-    loaded.impulses.col(static_cast<Eigen::Index>(loaded.at.points.size())) =
-        contact.a == object.object ? contact.impulse : Vec3(-contact.impulse);
-    loaded.at.points.push_back(touched.points[k]);
-  }
-}
-
-/// Adds the impulses at nodes of an object.
-void add_spread_impulses(const WorldState& world, const std::vector<Contact>& spread, ProxyId object,
-                         LoadedBody& loaded) {
-  std::optional<SurfaceSearch> surface;
-  for (const Contact& contact : spread) {
-    if (contact.a != object && contact.b != object) continue;
-    const NodeId node = contact.a == object ? contact.node_a : contact.node_b;
-    if (!node.valid() && !surface) surface.emplace(world, world.bodies[loaded.at.body]);
-    loaded.impulses.col(static_cast<Eigen::Index>(loaded.at.points.size())) =
-        contact.a == object ? contact.impulse : Vec3(-contact.impulse);
-    loaded.at.points.push_back(node.valid() ? touched_node(world, node, contact.position)
-                                            : touched_point(world, *surface, contact.position));
-  }
-}
-
-LoadedBody loads_on(const WorldState& world, const TouchedBody& touched, const ElasticObject& object,
-                    const SpreadContacts& spread) {
-  const std::span<const Contact> contacts = world.contact_world.contacts();
-  LoadedBody loaded{{touched.body, {}, {}, {}}, {}};
-  loaded.impulses.resize(3, static_cast<Eigen::Index>(object.contacts.size() + spread.added.size()));
-  add_impulses(contacts, spread.replaced, touched, object, loaded);
-  if (world.bodies[touched.body].quasi_static) add_spread_impulses(world, spread.added, object.object, loaded);
-  loaded.impulses.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(loaded.at.points.size()));
-  return loaded;
-}
-
-/// Moves a body by the impulses at its contacts.
-void respond(WorldState& world, TouchedBody& touched, const LoadedBody& loaded, double dt) {
-  Body& body = world.bodies[touched.body];
-  if (loaded.impulses.isZero(0)) return;
-  std::vector<Vec3>& nodal = world.scratch.contact_impulses;
-  add_nodal_impulses(world, loaded.at, loaded.impulses, nodal);
-  if (body.quasi_static) {
-    const ImplicitStep step = implicit_step(world, body, dt);
-    touched.change = respond_alone(deformable_inertia(world, body, dt), body.system->gather(nodal),
-                                   step.relative_residual, step.max_iterations);
-  }
-  if (world.integrates_explicitly()) {
-    touched.change = respond_explicitly(world, body, dt, nodal);
-  } else {
-    body.system->project(touched.change);
-    body.system->add_reactions(dt, nodal, world.nodes.constraints, touched.change, world.nodes.reactions);
-  }
-  add_changes(world, touched);
-  if (body.quasi_static && !reaches_equilibrium(world, body, dt)) keep_whole_motion(world, body);
-  world.scratch.bodies[body.id].contact_work = loaded.impulses.cwiseProduct(point_velocities(world, loaded.at)).sum();
-}
-
-void respond(WorldState& world, TouchedBodies& touched, double dt) {
-  world.scratch.contact_impulses.assign(world.nodes.positions.size(), Vec3::Zero());
-  for (const TouchedBody& of : touched.bodies) world.scratch.bodies[of.body].contact_work = 0;
-  const SpreadContacts spread = spread_impulses(world);
-  parallel_for(static_cast<int>(touched.bodies.size()), 1, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i)
-      respond(world, touched.bodies[i], loads_on(world, touched.bodies[i], touched.objects[i], spread), dt);
-  });
-  for (const TouchedBody& of : touched.bodies) world.energy.contacts -= world.scratch.bodies[of.body].contact_work;
+  return solved;
 }
 
 void apply_corrections(WorldState& world) {
@@ -261,24 +186,6 @@ void apply_corrections(WorldState& world) {
     }
     for (EdgeId edge : body.edges) world.edges.offsets[edge] = (turn * world.edges.offsets[edge]).eval();
   }
-}
-
-void replace_contacts(WorldState& world, const SpreadContacts& spread) {
-  if (!spread.added.empty()) world.contact_world.replace_contacts(spread.replaced, spread.added);
-}
-
-/// Finds the impulses on which all that touches agrees. Rigid and sleeping bodies that must deform under them do.
-TouchedBodies solve_contacts(WorldState& world, double dt) {
-  TouchedBodies touched = touched_bodies(world);
-  fit_contacts(world, touched, world.contact_world.contacts());
-  keep_contacts(touched, world.contact_world.drop_near_misses(dt, approach_speeds(world, touched)));
-  solve_elastic_contacts(world, touched, dt);
-  while (make_struck_bodies_elastic(world, dt)) {
-    replace_contacts(world, spread_contacts(world, dt));
-    touched = touched_bodies(world);
-    solve_elastic_contacts(world, touched, dt);
-  }
-  return touched;
 }
 
 }  // namespace
@@ -323,35 +230,19 @@ void find_contacts(WorldState& world, double dt) {
   choose_quasi_static_bodies(world);
 }
 
-namespace {
-
-/// Lets elastic bodies respond to their contacts, soft ones by nonlinear steps. Returns how bodies will move.
-std::vector<ElasticMove> respond_and_strain(WorldState& world, TouchedBodies& touched,
-                                            const std::vector<Vec3>& external, double dt) {
-  if (!may_strain_far(world)) {
-    respond(world, touched, dt);
-    return std::vector<ElasticMove>(world.bodies.size(), ElasticMove::linearized);
-  }
-  const std::vector<Vec3> free = world.nodes.velocities, reactions = world.nodes.reactions;
-  const double spent = world.energy.contacts;
-  respond(world, touched, dt);
-  return resolve_large_strains(world, external, free, dt, [&] {
-    world.nodes.reactions = reactions;
-    world.energy.contacts = spent;
-    solve_elastic_contacts(world, touched, dt);
-    respond(world, touched, dt);
-  });
-}
-
-}  // namespace
-
 std::vector<ElasticMove> resolve_contacts(WorldState& world, const std::vector<Vec3>& external, double dt) {
   wake_disturbed_bodies(world, dt);
   replace_contacts(world, spread_contacts(world, dt));
   push_rigid_velocities(world);
-  TouchedBodies touched = solve_contacts(world, dt);
-  std::vector<ElasticMove> moves = respond_and_strain(world, touched, external, dt);
-  push_rigid_velocities(world, taken_for_rigid(world, touched));
+  SolvedContacts solved = solve_contacts(world, dt);
+  const BeforeContacts before =
+      may_strain_far(world) ? BeforeContacts{world.nodes.velocities, world.edges.velocities, world.nodes.reactions}
+                            : BeforeContacts();
+  respond(world, solved.touched, dt);
+  std::vector<ElasticMove> moves = resolve_large_strains(world, solved, external, before, dt);
+  for (const TouchedBody& of : solved.touched.bodies)
+    world.energy.contacts -= world.scratch.bodies[of.body].contact_work;
+  push_rigid_velocities(world, taken_for_rigid(world, solved.touched));
   world.contact_world.advance(dt);
   read_back_rigid_velocities(world);
   account_rigid_contacts(world, dt);

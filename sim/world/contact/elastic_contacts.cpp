@@ -13,24 +13,12 @@
 #include "sim/world/state/world_state.h"
 
 namespace griffith {
-namespace {
 
-/// Bodies and contacts of one group.
-struct Group {
-  std::vector<int> contacts;  ///< indices into contacts()
-  std::vector<int> touched;   ///< indices of the deformable bodies in TouchedBodies
-  std::vector<DeformableInertia> deformable;
-  std::vector<RigidInertia> rigid;
-  std::vector<FrictionContact> problem;
-  std::vector<NodeVectors> changes;
-  ContactSolveReport report;
-};
-
-}  // namespace
-
-DeformableInertia deformable_inertia(const WorldState& world, const Body& body, double dt) {
+DeformableInertia deformable_inertia(const WorldState& world, const Body& body, double dt, bool factors_with_contacts) {
   DeformableInertia inertia;
   inertia.whole = whole_motion(world, body, dt);
+  constexpr int kFewRows = 2000;
+  inertia.factors_with_contacts = factors_with_contacts && body.system->rows() < kFewRows;
   if (!world.integrates_explicitly()) {
     inertia.matrix = &body.system->matrix();
     inertia.preconditioner = &body.system->preconditioner();
@@ -67,8 +55,8 @@ class GroupBuilder {
     std::ranges::sort(points_, {}, [](const Point& point) { return std::pair(point.contact, point.touched); });
   }
 
-  Group build(std::vector<int> contacts) {
-    Group group;
+  ContactGroup build(std::vector<int> contacts) {
+    ContactGroup group;
     double fastest = 0;
     for (const int contact : contacts) fastest = std::max(fastest, speed_to_stop(contact));
     for (const int contact : contacts) {
@@ -80,6 +68,7 @@ class GroupBuilder {
       row.axes = law.axes;
       row.friction = law.friction;
       row.target_velocity = target_velocity(found, law.target_velocity, fastest);
+      group.target_velocities.push_back(row.target_velocity);
       row.free_velocity = law.axes.transpose() * law.free_velocity;
       row.impulse = law.guess;
     }
@@ -127,7 +116,7 @@ class GroupBuilder {
     return soft ? 0 : of_law;
   }
 
-  ContactSide side(Group& group, ProxyId object, int contact, const Vec3& arm) {
+  ContactSide side(ContactGroup& group, ProxyId object, int contact, const Vec3& arm) {
     grow(object);
     if (touched_of(object) >= 0) return deformable_side(group, object, contact);
     const std::optional<RigidMass> mass = world_.contact_world.rigid_mass(object);
@@ -143,7 +132,7 @@ class GroupBuilder {
     return rigid;
   }
 
-  ContactSide deformable_side(Group& group, ProxyId object, int contact) {
+  ContactSide deformable_side(ContactGroup& group, ProxyId object, int contact) {
     const int touched = touched_of(object);
     int& body = body_of_object_[object.index()];
     if (body < 0) {
@@ -222,29 +211,103 @@ std::vector<ElasticObject> coupled_objects(const WorldState& world, const Touche
 
 }  // namespace
 
-void solve_elastic_contacts(WorldState& world, TouchedBodies& touched, double dt) {
+namespace {
+
+/// Calls visit(row of the group's problem, touched body, its point there, 1 as side a of the contact or −1 as side b).
+template <class Visit>
+void visit_points(const WorldState& world, const TouchedBodies& touched, const ContactGroup& group,
+                  const Visit& visit) {
+  for (const int i : group.touched)
+    for (std::size_t k = 0; k < touched.objects[i].contacts.size(); ++k) {
+      const int contact = touched.objects[i].contacts[k];
+      const auto row = std::ranges::lower_bound(group.contacts, contact) - group.contacts.begin();
+      const bool is_a = world.contact_world.contacts()[contact].a == touched.objects[i].object;
+      visit(static_cast<std::size_t>(row), i, k, is_a ? 1.0 : -1.0);
+    }
+}
+
+/// Takes into account where turning bodies get beside their velocities.
+void foresee_turns(const WorldState& world, const TouchedBodies& touched, double dt, ContactGroup& group) {
+  for (std::size_t row = 0; row < group.problem.size(); ++row)
+    group.problem[row].target_velocity = group.target_velocities[row];
+  visit_points(world, touched, group, [&](std::size_t row, int body, std::size_t point, double side) {
+    const Vec3& turned = touched.bodies[body].points[point].turned;
+    if (!turned.isZero(0)) group.problem[row].target_velocity -= side * group.problem[row].axes.col(0).dot(turned) / dt;
+  });
+}
+
+/// Takes the present inertia of its bodies, and their velocities without contacts.
+void renew(const WorldState& world, TouchedBodies& touched, double dt, ContactGroup& group) {
+  for (std::size_t i = 0; i < group.touched.size(); ++i)
+    group.deformable[i] = deformable_inertia(world, world.bodies[touched.bodies[group.touched[i]].body], dt, true);
+  std::vector<Eigen::Matrix3Xd> faster(touched.bodies.size());
+  for (const int i : group.touched) {
+    Eigen::Matrix3Xd& before = touched.objects[i].free_velocities;
+    const Eigen::Matrix3Xd now = point_velocities(world, touched.bodies[i]);
+    faster[i] = now - before;
+    before = now;
+  }
+  visit_points(world, touched, group, [&](std::size_t row, int body, std::size_t point, double side) {
+    FrictionContact& contact = group.problem[row];
+    contact.free_velocity += side * (contact.axes.transpose() * faster[body].col(static_cast<Eigen::Index>(point)));
+  });
+}
+
+/// Solves the problems of groups, and hands out what they find.
+void solve_groups(WorldState& world, TouchedBodies& touched, std::span<ContactGroup* const> groups, double dt,
+                  bool continues) {
+  std::vector<ContactSolveReport> reports(groups.size());
+  parallel_for(static_cast<int>(groups.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      ContactGroup& group = *groups[i];
+      std::vector<NodeVectors> changes;
+      ContactTolerance tolerance = tolerance_of(world, dt);
+      tolerance.continues = continues;
+      tolerance.relative = std::max(tolerance.relative, group.tolerance);
+      reports[i] = solve_contact_problem(group.deformable, group.rigid, group.problem, tolerance, changes);
+      for (std::size_t k = 0; k < group.touched.size(); ++k)
+        touched.bodies[group.touched[k]].change = std::move(changes[k]);
+    }
+  });
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    ContactGroup& group = *groups[i];
+    for (std::size_t k = 0; k < group.contacts.size(); ++k)
+      world.contact_world.set_impulse(group.contacts[k], group.problem[k].axes * group.problem[k].impulse);
+    world.report.unconverged_contacts += reports[i].unconverged - group.unconverged;
+    group.unconverged = reports[i].unconverged;
+    world.report.contact_iterations += reports[i].iterations;
+  }
+}
+
+std::vector<ContactGroup*> pointers_to(std::vector<ContactGroup>& groups) {
+  std::vector<ContactGroup*> pointers;
+  for (ContactGroup& group : groups) pointers.push_back(&group);
+  return pointers;
+}
+
+}  // namespace
+
+std::vector<ContactGroup> solve_elastic_contacts(WorldState& world, TouchedBodies& touched, double dt) {
   for (std::size_t i = 0; i < touched.bodies.size(); ++i)
     touched.objects[i].free_velocities = point_velocities(world, touched.bodies[i]);
   world.contact_world.solve(dt, coupled_objects(world, touched), hinged_objects(world, touched, dt));
   world.contact_world.leave_unsettled_groups(dt);
-  std::vector<Group> groups;
+  std::vector<ContactGroup> groups;
   GroupBuilder builder(world, touched, dt);
-  for (std::vector<int>& contacts : world.contact_world.elastic_groups())
+  for (std::vector<int>& contacts : world.contact_world.elastic_groups()) {
     groups.push_back(builder.build(std::move(contacts)));
-  const ContactTolerance tolerance = tolerance_of(world, dt);
-  parallel_for(static_cast<int>(groups.size()), 1, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i)
-      groups[i].report =
-          solve_contact_problem(groups[i].deformable, groups[i].rigid, groups[i].problem, tolerance, groups[i].changes);
-  });
-  for (Group& group : groups) {
-    for (std::size_t i = 0; i < group.contacts.size(); ++i)
-      world.contact_world.set_impulse(group.contacts[i], group.problem[i].axes * group.problem[i].impulse);
-    for (std::size_t i = 0; i < group.touched.size(); ++i)
-      touched.bodies[group.touched[i]].change = std::move(group.changes[i]);
-    world.report.unconverged_contacts += group.report.unconverged;
-    world.report.contact_iterations += group.report.iterations;
+    foresee_turns(world, touched, dt, groups.back());
   }
+  solve_groups(world, touched, pointers_to(groups), dt, false);
+  return groups;
+}
+
+void solve_again(WorldState& world, TouchedBodies& touched, std::span<ContactGroup* const> groups, double dt) {
+  for (ContactGroup* group : groups) {
+    renew(world, touched, dt, *group);
+    foresee_turns(world, touched, dt, *group);
+  }
+  solve_groups(world, touched, groups, dt, true);
 }
 
 WholeMotion whole_motion(const WorldState& world, const Body& body, double dt) {

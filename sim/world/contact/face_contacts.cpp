@@ -17,12 +17,12 @@
 namespace griffith {
 namespace {
 
-constexpr double kAlike = 0.95;        // cosine between normals of one face
-constexpr double kReach = 0.5;         // of an element: farther nodes do not touch
+constexpr double kAlike = 0.95;          // cosine between normals of one face
+constexpr double kReach = 0.5;           // of an element: farther nodes do not touch
 constexpr double kTouchingReach = 0.02;  // of an element: a gap that still counts as touching
-constexpr double kForesight = 2;       // of the way of a node in a substep
-constexpr double kClosing = 0.9;       // of it: the gap closes in the substep, which ends before what microsteps follow
-constexpr double kSamePlace = 0.01;    // of an element
+constexpr double kForesight = 2;         // of the way of a node in a substep
+constexpr double kClosing = 0.9;     // of it: the gap closes in the substep, which ends before what microsteps follow
+constexpr double kSamePlace = 0.01;  // of an element
 
 /// Coordinates in the contact plane and along the normal.
 struct FaceFrame {
@@ -223,21 +223,23 @@ void add_ground_contacts(const WorldState& world, const std::vector<Vec3>& place
   const double left_to_microsteps =
       has_microsteps ? damage_speed(world, body) : std::numeric_limits<double>::infinity();
   double fastest = 0;  // of a soft body: its nodes pull one another down
-  if (deforms_visibly(world, body))
+  const bool is_soft = deforms_visibly(world, body);
+  if (is_soft)
     for (const NodeId node : body.nodes) fastest = std::max(fastest, -world.nodes.velocities[node].y());
   std::vector<NodeId> nodes;
   for (const SurfaceFace& face : body.surface)
     for (const NodeId node : face_nodes(world.mesh, face.tet, face.face)) {
       const double speed = std::max(fastest, -world.nodes.velocities[node].y());
       const double foresight = speed < left_to_microsteps ? kForesight : kClosing;
-      if (!world.nodes.has_support[node] &&
-          places[node].y() - height < reach + foresight * (dt * speed + fall))
+      if (!world.nodes.has_support[node] && places[node].y() - height < reach + foresight * (dt * speed + fall))
         nodes.push_back(node);
     }
   sort_unique(nodes);
   for (const NodeId node : nodes) {
     const double distance = places[node].y() - height;
-    const Vec3 middle = places[node] - 0.5 * distance * Vec3::UnitY();
+    // A soft body acts where its node will be; others half-way, as proxies do.
+    const double to_middle = is_soft ? 0 : 0.5 * distance;
+    const Vec3 middle = places[node] - to_middle * Vec3::UnitY();
     added.push_back({body.proxy, ground, middle, Vec3::UnitY(), distance, 0, Vec3::Zero(), node, NodeId()});
   }
 }
@@ -320,9 +322,8 @@ namespace {
 void keep_touching(const WorldState& world, std::vector<Contact>& nodes) {
   double least = std::numeric_limits<double>::infinity();
   for (const Contact& node : nodes) least = std::min(least, node.distance);
-  std::erase_if(nodes, [&](const Contact& node) {
-    return node.distance > least + kTouchingReach * element_size(world, node);
-  });
+  std::erase_if(
+      nodes, [&](const Contact& node) { return node.distance > least + kTouchingReach * element_size(world, node); });
 }
 
 }  // namespace

@@ -10,7 +10,8 @@ namespace griffith {
 /// EnergyAccount::regime_change.
 void choose_quasi_static_bodies(WorldState& world);
 
-/// Returns where nodes touch, per node of the mesh [m]: those of quasi-static bodies where the undeformed ones would be.
+/// Returns where nodes touch, per node of the mesh [m]: those of quasi-static bodies where the undeformed ones would
+/// be.
 std::vector<Vec3> touching_places(const WorldState& world);
 
 /// True if a wave crosses a body within `dt` [s]: by an implicit step of that length it comes close to equilibrium.

@@ -6,6 +6,7 @@
 #include "sim/core/parallel.h"
 #include "sim/core/rotation.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/bodies/effective_law.h"
 #include "sim/world/motion/turning.h"
 #include "sim/world/state/world_state.h"
 
@@ -124,7 +125,37 @@ void fit_contacts(const WorldState& world, TouchedBodies& touched, std::span<Con
   correct_places(world, touched, contacts);
 }
 
-std::vector<double> approach_speeds(const WorldState& world, const TouchedBodies& touched) {
+double foresee_turn(const WorldState& world, TouchedBody& touched, double dt) {
+  const Body& body = world.bodies[touched.body];
+  if (world.integrates_explicitly() || body.supported() || body.quasi_static || !deforms_visibly(world, body)) return 0;
+  const RigidMotion whole = motion_of(world, body);
+  const Mat3 turn = free_turn(whole.inertia, whole.angular_velocity, dt);
+  double change = 0;
+  for (TouchedPoint& point : touched.points) {
+    Vec3 velocity = Vec3::Zero();
+    for (int i = 0; i < 3; ++i) velocity += point.surface.weights[i] * world.nodes.velocities[point.surface.nodes[i]];
+    const Vec3 arm = point.position - whole.center, deforming = velocity - whole.velocity_at(point.position);
+    const Vec3 turned = turn * (arm + dt * deforming) - arm - dt * (velocity - whole.velocity);
+    change = std::max(change, (turned - point.turned).norm());
+    point.turned = turned;
+  }
+  return change;
+}
+
+namespace {
+
+/// True if a node of a soft body may be pulled onto the ground by others, whatever its own speed.
+bool strains_onto(const WorldState& world, const Contact& contact) {
+  const bool is_ground_b = world.contact_world.is_ground(contact.b);
+  if ((is_ground_b ? contact.node_a : contact.node_b) == NodeId()) return false;
+  if (!is_ground_b && !world.contact_world.is_ground(contact.a)) return false;
+  const Body& body = world.bodies[world.body_of(is_ground_b ? contact.a : contact.b)];
+  return can_be_compacted(world, body) && deforms_visibly(world, body);
+}
+
+}  // namespace
+
+std::vector<double> approach_speeds(const WorldState& world, const TouchedBodies& touched, double dt) {
   const std::span<const Contact> contacts = world.contact_world.contacts();
   std::vector<double> speeds(contacts.size(), 0.0);
   for (std::size_t i = 0; i < contacts.size(); ++i)
@@ -139,7 +170,10 @@ std::vector<double> approach_speeds(const WorldState& world, const TouchedBodies
     for (Eigen::Index k = 0; k < velocities.cols(); ++k) {
       const int index = touched.objects[i].contacts[k];
       const double side = contacts[index].a == touched.objects[i].object ? 1 : -1;
+      const Vec3& turned = touched.bodies[i].points[k].turned;
       speeds[index] -= side * contacts[index].normal.dot(velocities.col(k));
+      if (!turned.isZero(0)) speeds[index] -= side * contacts[index].normal.dot(turned) / dt;
+      if (strains_onto(world, contacts[index])) speeds[index] = std::max(speeds[index], contacts[index].distance / dt);
     }
   }
   return speeds;
@@ -164,9 +198,9 @@ namespace {
 
 /// Rotation of a body as a whole that impulses off its surface change.
 struct WholeRotation {
-  Vec3 center = Vec3::Zero();            ///< center of mass or pivot [m]
-  Mat3 inverse_inertia = Mat3::Zero();   ///< about it; 0 across the axes of a pivot [1/(kg·m²)]
-  Vec3 spin = Vec3::Zero();              ///< [rad/s]
+  Vec3 center = Vec3::Zero();           ///< center of mass or pivot [m]
+  Mat3 inverse_inertia = Mat3::Zero();  ///< about it; 0 across the axes of a pivot [1/(kg·m²)]
+  Vec3 spin = Vec3::Zero();             ///< [rad/s]
 };
 
 /// Returns the rotation of a free body or of a quasi-static one that turns about a pivot. Others have none: contacts of

@@ -16,6 +16,8 @@ struct TouchedPoint {
   NodeId node = {};              ///< node that touches, if known
   Vec3 contact = Vec3::Zero();   ///< [m]
   Vec3 position = Vec3::Zero();  ///< position of the surface point [m]
+  /// Displacement of the surface point in the substep beside its velocity times the time, as the body turns [m].
+  Vec3 turned = Vec3::Zero();
 };
 
 /// Elastic body and its contacts in a substep.
@@ -42,9 +44,11 @@ TouchedBodies touched_bodies(const WorldState& world);
 /// Moves the contacts from the surfaces of the proxies, which do not deform, to those of the deformed bodies, and
 /// corrects their distances; those of nodes are right.
 void fit_contacts(const WorldState& world, TouchedBodies& touched, std::span<Contact> contacts);
-/// Returns the approach speed of the sides of each contact without its impulse [m/s], for
+/// Returns the approach speed of the sides of each contact without its impulse, in a substep of `dt` [s] [m/s], for
 /// ContactWorld::drop_near_misses().
-std::vector<double> approach_speeds(const WorldState& world, const TouchedBodies& touched);
+std::vector<double> approach_speeds(const WorldState& world, const TouchedBodies& touched, double dt);
+/// Sets TouchedPoint::turned of soft free bodies at their present velocities. Returns its largest change [m].
+double foresee_turn(const WorldState& world, TouchedBody& touched, double dt);
 /// Leaves out the contacts that the contact world has dropped. `index`: the new index of each, or -1.
 void keep_contacts(TouchedBodies& touched, std::span<const int> index);
 /// Returns the rows of its body's system that determine a point of the surface.

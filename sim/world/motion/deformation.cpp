@@ -1,8 +1,10 @@
 #include "sim/world/motion/deformation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "sim/core/parallel.h"
 #include "sim/solver/conjugate_gradient.h"
 #include "sim/world/bodies/effective_law.h"
 #include "sim/world/contact/elastic_contacts.h"
@@ -11,12 +13,18 @@
 
 namespace griffith {
 
-Deformation::Deformation(WorldState& world, Body& body, const BodySnapshot& before, NodeVectors start, double dt)
+Deformation::Deformation(WorldState& world, Body& body, const BodySnapshot& before, NodeVectors start, double dt,
+                         bool with_tangents)
     : world_(world), body_(body), before_(before), dt_(dt), start_(std::move(start)) {
   const Material& material = world.material_of(body);
   inertia_ = masses() * (1 + dt * material.mass_damping);
   damping_share_ = material.stiffness_damping / (dt + material.stiffness_damping);
   whole_ = whole_motion(world, body, dt);
+  forces_.resize(world.nodes.positions.size(), Vec3::Zero());
+  has_tangents_ =
+      with_tangents && body.edges.empty() && !material.yield_strength &&
+      std::ranges::all_of(body.tets, [&](TetId tet) { return world.elements.stress_free_strain(tet).isZero(0); });
+  if (has_tangents_) first_matrix_ = body.system->matrix();
 }
 
 void Deformation::set_load(const std::vector<Vec3>& external, const NodeVectors& carried) {
@@ -44,13 +52,35 @@ void Deformation::place(const NodeVectors& e) {
   deforming_ = e;
 }
 
+/// Assembles the matrix of the step at the present positions. Elements may soften as they buckle, as long as their
+/// inertia keeps the matrix positive definite.
+void Deformation::assemble() {
+  if (!has_tangents_) return assemble_system(world_, body_, dt_);
+  constexpr double kOfInertia = 0.9;
+  const ElasticLaw law = effective_elastic_law(world_, body_);
+  const ImplicitStep step = implicit_step(world_, body_, dt_);
+  const MatrixFactors factors = matrix_factors(step);
+  const double inertia = kOfInertia * factors.mass * world_.material_of(body_).density / (4 * factors.stiffness);
+  parallel_for(static_cast<int>(body_.tets.size()), 256, [&](int begin, int end) {
+    for (const TetId tet : std::span(body_.tets).subspan(begin, end - begin)) {
+      const RestElement& rest = world_.elements.rest_elements[tet];
+      const double least = -inertia / rest.shape_gradients.squaredNorm();
+      world_.scratch.tangents[tet] =
+          tangent_stiffness(law, rest, corners_of(world_.mesh, tet, world_.nodes.positions), least);
+    }
+  });
+  body_.system->assemble(step, world_.elements.rest_elements, world_.scratch.tangents, world_.nodes.positions,
+                         world_.nodes.masses);
+}
+
 bool Deformation::minimize(NodeVectors e) {
   constexpr int kMaxNewtonSteps = 30;
   constexpr double kForcing = 0.01;
   choose_start(e);
   for (int step = 0; step < kMaxNewtonSteps; ++step) {
-    assemble_system(world_, body_, dt_);
-    if (is_balanced(world_.model->scene.simulation.relative_residual)) return true;
+    assemble();
+    const auto [left, all] = balance();
+    if (left <= world_.model->scene.simulation.relative_residual * all) return true;
     if (search_along(direction(residual(), kForcing)) == 0) return false;
   }
   return false;
@@ -59,16 +89,15 @@ bool Deformation::minimize(NodeVectors e) {
 NodeVectors Deformation::without_contacts(const NodeVectors& e) {
   constexpr double kForcing = 1e-4;
   place(e);
-  assemble_system(world_, body_, dt_);
+  assemble();
   NodeVectors left = external_load_ + elastic_impulses() - resistance(e);
   project(left);
   return e + direction(left, kForcing);
 }
 
-bool Deformation::is_balanced(double tolerance) {
+Deformation::Balance Deformation::balance() const {
   const NodeVectors forces = elastic_impulses(), left = residual();
-  const double scale = std::sqrt(dot(forces, forces)) + std::sqrt(dot(load_, load_));
-  return std::sqrt(dot(left, left)) <= tolerance * scale;
+  return {std::sqrt(dot(left, left)), std::sqrt(dot(forces, forces)) + std::sqrt(dot(load_, load_))};
 }
 
 Eigen::VectorXd Deformation::masses() const {
@@ -95,9 +124,9 @@ void Deformation::choose_start(const NodeVectors& guess) {
 
 /// Returns h f of the elastic forces at the present positions.
 NodeVectors Deformation::elastic_impulses() const {
-  std::vector<Vec3> forces(world_.nodes.positions.size(), Vec3::Zero());
-  add_elastic_forces(world_, body_, forces, world_.scratch);
-  return dt_ * body_.system->gather(forces, world_.scratch.edge_forces);
+  for (const NodeId node : body_.nodes) forces_[node].setZero();
+  add_elastic_forces(world_, body_, forces_, world_.scratch);
+  return dt_ * body_.system->gather(forces_, world_.scratch.edge_forces);
 }
 
 /// Returns the resistance of mass and damping to the velocities: M e + h β K e.
@@ -105,7 +134,7 @@ NodeVectors Deformation::resistance(const NodeVectors& e) const {
   const NodeVectors by_mass = e * inertia_.asDiagonal();
   if (damping_share_ == 0) return by_mass;
   NodeVectors product;
-  multiply(body_.system->matrix(), e, product);
+  multiply(has_tangents_ ? first_matrix_ : body_.system->matrix(), e, product);
   return by_mass + damping_share_ * (product - by_mass);
 }
 
@@ -152,9 +181,11 @@ bool flattens(const std::vector<double>& before, const std::vector<double>& afte
 }  // namespace
 
 double Deformation::search_along(const NodeVectors& d) {
-  constexpr double kSmallest = 1e-4;
+  constexpr double kSmallest = 1e-4, kRounding = 1e-12;
   const NodeVectors first = deforming_;
-  const double least = energy();
+  const double now = energy();
+  const double rounding = has_tangents_ ? kRounding * (std::abs(now) + std::abs(dot(deforming_, load_))) : 0;
+  const double least = now + rounding;
   const std::vector<double> volumes = volume_ratios();
   for (double step = 1; step >= kSmallest; step /= 2) {
     place(first + step * d);

@@ -14,8 +14,10 @@ namespace griffith {
 class Deformation {
  public:
   /// `before`: the body at the start. `start`: positions of the rows of the body's system after it moved without
-  /// deformation, nodes and then edges [m].
-  Deformation(WorldState& world, Body& body, const BodySnapshot& before, NodeVectors start, double dt);
+  /// deformation, nodes and then edges [m]. `with_tangents`: if it is linear and without plastic strain, its matrix
+  /// consists of the second derivatives of its energy, in Scratch::tangents.
+  Deformation(WorldState& world, Body& body, const BodySnapshot& before, NodeVectors start, double dt,
+              bool with_tangents = false);
 
   /// Sets M v + h f of the start under `external` forces, per node of the mesh [N], and takes the contacts. `carried`:
   /// velocities of the rows of a body that supports hold, without deformation [m/s].
@@ -31,14 +33,18 @@ class Deformation {
   /// Linearizes the step at these velocities. Returns those of Newton's step without contacts; the body's system is
   /// that of the step.
   NodeVectors without_contacts(const NodeVectors& e);
-  /// True if what remains of the impulses at the present velocities is at most this share of them.
-  bool is_balanced(double tolerance);
+  /// Impulses that remain unbalanced at the present velocities, and the size of all of them [N·s].
+  struct Balance {
+    double left = 0, all = 0;
+  };
+  Balance balance() const;
   /// Moves on along `d` to less energy, the whole way if that is less and leaves each tet a fifth of its volume.
   /// Returns the share; 0 if there is none.
   double search_along(const NodeVectors& d);
 
  private:
   Eigen::VectorXd masses() const;
+  void assemble();
   void remove_whole(NodeVectors& impulses) const;
   void project(NodeVectors& impulses) const;
   void choose_start(const NodeVectors& guess);
@@ -55,7 +61,11 @@ class Deformation {
   double dt_;
   NodeVectors start_, external_load_, load_, deforming_;
   Eigen::VectorXd inertia_;
-  double damping_share_ = 0;  ///< fraction of β in the contribution of K to the matrix
+  BlockSparseMatrix
+      first_matrix_;  ///< matrix of the step linearized at the start, which damps, where there are tangents
+  mutable std::vector<Vec3> forces_;  ///< elastic, per node of the mesh; zero but for the body's [N]
+  bool has_tangents_ = false;         ///< the matrix consists of second derivatives of its energy
+  double damping_share_ = 0;          ///< fraction of β in the contribution of K to the matrix
   WholeMotion whole_;
 };
 

@@ -149,6 +149,7 @@ struct Scratch {
   std::vector<simd::WideQuad> elastic_forces;  ///< per node, in the first three lanes [N]
   std::vector<Vec3> edge_forces;               ///< per edge [N]
   std::vector<Vec3> edge_loads;                ///< external forces per edge in the substep [N]
+  std::vector<TangentStiffness> tangents;      ///< per tet, of bodies that strain far
   std::vector<Vec3> contact_impulses;          ///< per node of elastic bodies, in the substep [N·s]
 
   Scratch() = default;

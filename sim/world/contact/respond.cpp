@@ -1,0 +1,129 @@
+#include "sim/world/contact/respond.h"
+
+#include <numeric>
+#include <optional>
+
+#include "sim/core/parallel.h"
+#include "sim/solver/contact_response.h"
+#include "sim/world/bodies/surface_point.h"
+#include "sim/world/contact/elastic_contacts.h"
+#include "sim/world/contact/pressure_distribution.h"
+#include "sim/world/contact/quasi_static.h"
+#include "sim/world/motion/elastic_phase.h"
+#include "sim/world/motion/motion_phase.h"
+
+namespace griffith {
+namespace {
+
+/// Returns the velocity changes of an elastic body's rows by nodal impulses, each node on its own.
+NodeVectors respond_explicitly(WorldState& world, const Body& body, double dt, const std::vector<Vec3>& impulses) {
+  NodeArrays& nodes = world.nodes;
+  NodeVectors change = body.system->gather(impulses);
+  const std::span<const NodeId> rows = body.system->nodes();
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const NodeId node = rows[row];
+    change.col(row) = (nodes.constraints[node].allowed * change.col(row) / nodes.masses[node]).eval();
+  }
+  for (NodeId node : body.system->supports())
+    nodes.reactions[node] -= (impulses[node] - nodes.constraints[node].allowed * impulses[node]) / dt;
+  return change;
+}
+
+/// Adds what its contacts did to the velocities of a body.
+void add_changes(WorldState& world, const TouchedBody& touched) {
+  const std::span<const NodeId> nodes = world.bodies[touched.body].system->nodes();
+  for (std::size_t row = 0; row < nodes.size(); ++row) world.nodes.velocities[nodes[row]] += touched.change.col(row);
+  const std::span<const EdgeId> edges = world.bodies[touched.body].system->edges();
+  for (std::size_t i = 0, row = nodes.size(); i < edges.size(); ++i, ++row)
+    world.edges.velocities[edges[i]] += touched.change.col(row);
+}
+
+/// Impulses on a body and where they act.
+struct LoadedBody {
+  TouchedBody at;
+  Eigen::Matrix3Xd impulses;  ///< one column a point [N·s]
+};
+
+/// Adds the impulses at the contacts of an object, except those that are replaced.
+void add_impulses(std::span<const Contact> contacts, const std::vector<bool>& replaced, const TouchedBody& touched,
+                  const ElasticObject& object, LoadedBody& loaded) {
+  for (std::size_t k = 0; k < object.contacts.size(); ++k) {
+    if (replaced[object.contacts[k]]) continue;
+    const Contact& contact = contacts[object.contacts[k]];
+    loaded.impulses.col(static_cast<Eigen::Index>(loaded.at.points.size())) =
+        contact.a == object.object ? contact.impulse : Vec3(-contact.impulse);
+    loaded.at.points.push_back(touched.points[k]);
+  }
+}
+
+/// Adds the impulses at nodes of an object.
+void add_spread_impulses(const WorldState& world, const std::vector<Contact>& spread, ProxyId object,
+                         LoadedBody& loaded) {
+  std::optional<SurfaceSearch> surface;
+  for (const Contact& contact : spread) {
+    if (contact.a != object && contact.b != object) continue;
+    const NodeId node = contact.a == object ? contact.node_a : contact.node_b;
+    if (!node.valid() && !surface) surface.emplace(world, world.bodies[loaded.at.body]);
+    loaded.impulses.col(static_cast<Eigen::Index>(loaded.at.points.size())) =
+        contact.a == object ? contact.impulse : Vec3(-contact.impulse);
+    loaded.at.points.push_back(node.valid() ? touched_node(world, node, contact.position)
+                                            : touched_point(world, *surface, contact.position));
+  }
+}
+
+LoadedBody loads_on(const WorldState& world, const TouchedBody& touched, const ElasticObject& object,
+                    const SpreadContacts& spread) {
+  const std::span<const Contact> contacts = world.contact_world.contacts();
+  LoadedBody loaded{{touched.body, {}, {}, {}}, {}};
+  loaded.impulses.resize(3, static_cast<Eigen::Index>(object.contacts.size() + spread.added.size()));
+  add_impulses(contacts, spread.replaced, touched, object, loaded);
+  if (world.bodies[touched.body].quasi_static) add_spread_impulses(world, spread.added, object.object, loaded);
+  loaded.impulses.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(loaded.at.points.size()));
+  return loaded;
+}
+
+/// Moves a body by the impulses at its contacts.
+void respond(WorldState& world, TouchedBody& touched, const LoadedBody& loaded, double dt) {
+  Body& body = world.bodies[touched.body];
+  if (loaded.impulses.isZero(0)) return;
+  std::vector<Vec3>& nodal = world.scratch.contact_impulses;
+  add_nodal_impulses(world, loaded.at, loaded.impulses, nodal);
+  if (body.quasi_static) {
+    const ImplicitStep step = implicit_step(world, body, dt);
+    touched.change = respond_alone(deformable_inertia(world, body, dt), body.system->gather(nodal),
+                                   step.relative_residual, step.max_iterations);
+  }
+  if (world.integrates_explicitly()) {
+    touched.change = respond_explicitly(world, body, dt, nodal);
+  } else {
+    body.system->project(touched.change);
+    body.system->add_reactions(dt, nodal, world.nodes.constraints, touched.change, world.nodes.reactions);
+  }
+  add_changes(world, touched);
+  if (body.quasi_static && !reaches_equilibrium(world, body, dt)) keep_whole_motion(world, body);
+  world.scratch.bodies[body.id].contact_work = loaded.impulses.cwiseProduct(point_velocities(world, loaded.at)).sum();
+}
+
+}  // namespace
+
+void respond(WorldState& world, TouchedBodies& touched, std::span<const int> bodies, double dt) {
+  for (const int i : bodies) {
+    const Body& body = world.bodies[touched.bodies[i].body];
+    for (const NodeId node : body.nodes) world.scratch.contact_impulses[node].setZero();
+    world.scratch.bodies[body.id].contact_work = 0;
+  }
+  const SpreadContacts spread = spread_impulses(world);
+  parallel_for(static_cast<int>(bodies.size()), 1, [&](int begin, int end) {
+    for (const int i : bodies.subspan(begin, end - begin))
+      respond(world, touched.bodies[i], loads_on(world, touched.bodies[i], touched.objects[i], spread), dt);
+  });
+}
+
+void respond(WorldState& world, TouchedBodies& touched, double dt) {
+  world.scratch.contact_impulses.assign(world.nodes.positions.size(), Vec3::Zero());
+  std::vector<int> all(touched.bodies.size());
+  std::iota(all.begin(), all.end(), 0);
+  respond(world, touched, all, dt);
+}
+
+}  // namespace griffith
