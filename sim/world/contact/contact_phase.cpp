@@ -146,7 +146,8 @@ void read_back_rigid_velocities(WorldState& world) {
 }
 
 void replace_contacts(WorldState& world, const SpreadContacts& spread) {
-  if (!spread.added.empty()) world.contact_world.replace_contacts(spread.replaced, spread.added);
+  if (std::ranges::find(spread.replaced, true) == spread.replaced.end() && spread.added.empty()) return;
+  world.contact_world.replace_contacts(spread.replaced, spread.added);
 }
 
 /// Foresees where soft bodies turn to in the substep.

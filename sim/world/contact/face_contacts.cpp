@@ -309,7 +309,6 @@ SpreadContacts spread_contacts(const WorldState& world, double dt) {
   const std::vector<Vec3> places = touching_places(world);
   add_all_ground_contacts(world, places, dt, added, replaced);
   for (const FacePair& pair : face_pairs(world, is_any_coupled)) add_face_contacts(world, places, pair, added);
-  if (added.empty()) return {};
   std::ranges::stable_sort(added, std::ranges::less(), objects_of);
   for (std::size_t i = 0; i < contacts.size(); ++i)
     if (is_doubled(contacts[i], added, kSamePlace * element_size(world, contacts[i]))) replaced[i] = true;

@@ -56,7 +56,8 @@ StaticProblem problem_of(WorldState& world, const Body& body, std::span<const No
   return problem;
 }
 
-void settle(WorldState& world, Body& body, const StaticProblem& problem, const Monitor& monitor) {
+/// Returns false if the solve did not converge.
+bool settle(WorldState& world, Body& body, const StaticProblem& problem, const Monitor& monitor) {
   StaticSettings settings;
   settings.cancelled = monitor.cancelled;
   const StaticReport report = solve_static(problem, settings, world.nodes.positions, world.elements.states.edit());
@@ -69,6 +70,7 @@ void settle(WorldState& world, Body& body, const StaticProblem& problem, const M
   world.report.solver_iterations = std::max(world.report.solver_iterations, report.linear_iterations);
   world.report.max_relative_residual = std::max(world.report.max_relative_residual, report.relative_residual);
   world.report.unconverged_solves += !report.converged;
+  return report.converged;
 }
 
 /// True if a body has no equilibrium near its place: one that hangs by a node, or that has buckled.
@@ -160,17 +162,15 @@ void find_equilibrium(WorldState& world, double time, double displacement_time,
     if (body.rigid || !concerns(body)) continue;
     const BodySnapshot before = snapshot(world, body);
     const std::vector<Mat3> stresses = stresses_of(world, body);
-    settle(world, body, problem_of(world, body, displacements, loads, pressed[body.id]), monitor);
+    bool settled = settle(world, body, problem_of(world, body, displacements, loads, pressed[body.id]), monitor);
     GroundedNodes grounded(world, body, before);
-    for (int solve = 1; body.supported() && grounded.update(world); ++solve) {
+    for (int solve = 1; settled && body.supported() && grounded.update(world); ++solve) {
       put_back(world, body, before);
-      if (solve == kMostSolves) {
-        ++world.report.unconverged_solves;
-        break;
-      }
       std::vector<NodeConstraint> above = displacements;
       grounded.block(above);
-      settle(world, body, problem_of(world, body, above, loads, pressed[body.id]), monitor);
+      settled =
+          solve < kMostSolves && settle(world, body, problem_of(world, body, above, loads, pressed[body.id]), monitor);
+      if (solve == kMostSolves) ++world.report.unconverged_solves;
     }
     grounded.leave_reactions(world);
     if (has_run_away(world, body, before)) put_back(world, body, before);
