@@ -36,6 +36,10 @@ std::optional<Pivot> pivot_of(std::span<const NodeId> supports, std::span<const 
   return pivot;
 }
 
+Mat3 inverse_inertia_about(const Pivot& pivot, const Mat3& inertia) {
+  return pivot.axes * (pivot.axes.transpose() * inertia * pivot.axes).inverse() * pivot.axes.transpose();
+}
+
 Vec3 common_velocity(std::span<const NodeId> supports, std::span<const NodeConstraint> constraints) {
   Mat3 blocked = Mat3::Zero();
   Vec3 known = Vec3::Zero();

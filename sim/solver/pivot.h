@@ -28,6 +28,9 @@ struct Turning {
 std::optional<Pivot> pivot_of(std::span<const NodeId> supports, std::span<const NodeConstraint> constraints,
                               std::span<const Vec3> positions);
 
+/// Returns the inverse of an inertia about the pivot [kg·m²] for turns about its axes, 0 across them [1/(kg·m²)].
+Mat3 inverse_inertia_about(const Pivot& pivot, const Mat3& inertia);
+
 /// Translation that the supports of a body share, by least squares [m/s]: what differs from it deforms the body.
 Vec3 common_velocity(std::span<const NodeId> supports, std::span<const NodeConstraint> constraints);
 

@@ -38,8 +38,7 @@ WholeMotion free_motion(NodeVectors places, Eigen::VectorXd masses) {
 
 WholeMotion swinging_motion(NodeVectors places, Eigen::VectorXd masses, const Pivot& pivot) {
   WholeMotion whole = motion_about(pivot.place, std::move(places), std::move(masses));
-  whole.inverse_inertia =
-      pivot.axes * (pivot.axes.transpose() * inertia_of(whole) * pivot.axes).inverse() * pivot.axes.transpose();
+  whole.inverse_inertia = inverse_inertia_about(pivot, inertia_of(whole));
   return whole;
 }
 

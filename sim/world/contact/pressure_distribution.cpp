@@ -2,9 +2,10 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <optional>
 
-#include "sim/fracture/crack_front.h"
+#include "sim/mesh/topology.h"
 
 namespace griffith {
 namespace {
@@ -18,13 +19,10 @@ double area_at(const WorldState& world, const Contact& contact) {
   double area = 0;
   for (const TetId tet : world.mesh->stars[node])
     for (int face = 0; face < 4; ++face) {
-      const std::array<int, 3>& corners = kTetFaces[face];
-      if (world.mesh->neighbors[tet][face].valid()) continue;
-      if (std::ranges::none_of(corners, [&](int corner) { return world.mesh->tets[tet][corner] == node; })) continue;
-      std::array<Vec3, 3> p;
-      for (int i = 0; i < 3; ++i) p[i] = world.nodes.positions[world.mesh->tets[tet][corners[i]]];
-      const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]);
-      if (side * normal.dot(contact.normal) > kFacing * normal.norm()) area += normal.norm() / 6;
+      const std::array<NodeId, 3> corners = face_nodes(world.mesh, tet, face);
+      if (world.mesh->neighbors[tet][face].valid() || std::ranges::find(corners, node) == corners.end()) continue;
+      const Vec3 normal = area_vector(world.nodes.positions, corners);
+      if (side * normal.dot(contact.normal) > kFacing * normal.norm()) area += normal.norm() / 3;
     }
   return area;
 }

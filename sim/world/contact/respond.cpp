@@ -1,7 +1,9 @@
 #include "sim/world/contact/respond.h"
 
+#include <algorithm>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "sim/core/parallel.h"
 #include "sim/solver/contact_response.h"
@@ -44,15 +46,19 @@ struct LoadedBody {
   Eigen::Matrix3Xd impulses;  ///< one column a point [N·s]
 };
 
+/// Adds a point with the impulse of its contact on an object.
+void add_point(const Contact& contact, ProxyId object, const TouchedPoint& point, LoadedBody& loaded) {
+  loaded.impulses.col(static_cast<Eigen::Index>(loaded.at.points.size())) =
+      contact.a == object ? contact.impulse : Vec3(-contact.impulse);
+  loaded.at.points.push_back(point);
+}
+
 /// Adds the impulses at the contacts of an object, except those that are replaced.
 void add_impulses(std::span<const Contact> contacts, const std::vector<bool>& replaced, const TouchedBody& touched,
                   const ElasticObject& object, LoadedBody& loaded) {
   for (std::size_t k = 0; k < object.contacts.size(); ++k) {
-    if (replaced[object.contacts[k]]) continue;
-    const Contact& contact = contacts[object.contacts[k]];
-    loaded.impulses.col(static_cast<Eigen::Index>(loaded.at.points.size())) =
-        contact.a == object.object ? contact.impulse : Vec3(-contact.impulse);
-    loaded.at.points.push_back(touched.points[k]);
+    const int contact = object.contacts[k];
+    if (!replaced[contact]) add_point(contacts[contact], object.object, touched.points[k], loaded);
   }
 }
 
@@ -64,10 +70,9 @@ void add_spread_impulses(const WorldState& world, const std::vector<Contact>& sp
     if (contact.a != object && contact.b != object) continue;
     const NodeId node = contact.a == object ? contact.node_a : contact.node_b;
     if (!node.valid() && !surface) surface.emplace(world, world.bodies[loaded.at.body]);
-    loaded.impulses.col(static_cast<Eigen::Index>(loaded.at.points.size())) =
-        contact.a == object ? contact.impulse : Vec3(-contact.impulse);
-    loaded.at.points.push_back(node.valid() ? touched_node(world, node, contact.position)
-                                            : touched_point(world, *surface, contact.position));
+    const TouchedPoint point =
+        node.valid() ? touched_node(world, node, contact.position) : touched_point(world, *surface, contact.position);
+    add_point(contact, object, point, loaded);
   }
 }
 
@@ -112,7 +117,11 @@ void respond(WorldState& world, TouchedBodies& touched, std::span<const int> bod
     for (const NodeId node : body.nodes) world.scratch.contact_impulses[node].setZero();
     world.scratch.bodies[body.id].contact_work = 0;
   }
-  const SpreadContacts spread = spread_impulses(world);
+  const bool spreads =
+      std::ranges::any_of(bodies, [&](int i) { return world.bodies[touched.bodies[i].body].quasi_static; });
+  const std::size_t contacts = std::as_const(world.contact_world).contacts().size();
+  const SpreadContacts spread =
+      spreads ? spread_impulses(world) : SpreadContacts{std::vector<bool>(contacts, false), {}};
   parallel_for(static_cast<int>(bodies.size()), 1, [&](int begin, int end) {
     for (const int i : bodies.subspan(begin, end - begin))
       respond(world, touched.bodies[i], loads_on(world, touched.bodies[i], touched.objects[i], spread), dt);

@@ -73,11 +73,9 @@ TouchedBodies touched_bodies(const WorldState& world) {
   parallel_for(static_cast<int>(touched.bodies.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const SurfaceSearch surface(world, world.bodies[touched.bodies[i].body]);
-      for (TouchedPoint& point : touched.bodies[i].points) {
-        point.surface = point.node.valid() ? SurfacePoint{{point.node, point.node, point.node}, Vec3::UnitX()}
-                                           : surface.closest(point.contact);
-        point.position = surface_position(world, point.surface);
-      }
+      for (TouchedPoint& point : touched.bodies[i].points)
+        point = point.node.valid() ? touched_node(world, point.node, point.contact)
+                                   : touched_point(world, surface, point.contact);
     }
   });
   return touched;
@@ -211,8 +209,7 @@ WholeRotation rotation_of(const WorldState& world, const Body& body) {
   const std::optional<Pivot> pivot = body.quasi_static ? pivot_of(world, body) : std::nullopt;
   if (!pivot) return {};
   const Turning turning = turning_of(world, body, *pivot);
-  const Eigen::MatrixXd about_axes = pivot->axes.transpose() * turning.inertia * pivot->axes;
-  return {pivot->place, pivot->axes * about_axes.inverse() * pivot->axes.transpose(), turning.spin};
+  return {pivot->place, inverse_inertia_about(*pivot, turning.inertia), turning.spin};
 }
 
 }  // namespace
