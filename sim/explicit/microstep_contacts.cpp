@@ -284,14 +284,16 @@ void MicrostepContacts::resolve(ExplicitBodies& bodies, double dt, double min_sp
   find_touches(bodies);
   work_ += kCandidateWork * static_cast<double>(candidate_count()) + kTouchWork * static_cast<double>(touches_.size()) +
            kBondWork * static_cast<double>(bonds_.size());
+  touch_ground();
   bool any = !touches_.empty();
   for (int round = 0; round < kRounds && any; ++round) {
     any = false;
-    for (const int index : order_) any |= push(bodies, touches_[index], dt, min_speed);
+    for (const int index : order_) any |= push(bodies, touches_[index], dt);
     any |= stop_at_ground(bodies, dt);
   }
   if (!touches_.empty())
     travelled_ += std::max(0.0, dt * closing_speed(bodies) - displacement);  // impulses may throw objects back
+  record_impacts(min_speed);
   if (!cracks_.empty()) close_cracks(bodies);
   record_pushed(bodies);
 }

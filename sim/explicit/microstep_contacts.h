@@ -98,6 +98,10 @@ class MicrostepContacts {
     int other_node = -1;  ///< node of another body, or -1
     Vec3 place = Vec3::Zero(), normal = Vec3::UnitY();  ///< normal points from the bodies to the other
     double depth = 0;
+    double pressure = 0;           ///< normal impulse in this microstep [N·s]
+    Vec3 friction = Vec3::Zero();  ///< its friction, on the bodies [N·s]
+    double reverted = 0;           ///< normal impulses times the time of the last motion that they reverted [N·s²]
+    double approach = 0;           ///< largest speed of approach [m/s]
   };
   /// Touch, and the index of its candidate.
   struct Found {
@@ -200,9 +204,15 @@ class MicrostepContacts {
   void act(ExplicitBodies& bodies, const Touch& touch, const Vec3& impulse);
   /// Reverts the part of the last motion that `impulse` would have prevented, for `time` [s] of it.
   void take_back(ExplicitBodies& bodies, const Touch& touch, const Vec3& impulse, double time);
-  bool push(ExplicitBodies& bodies, Touch& touch, double dt, double min_speed);
+  Vec3 change_of_friction(const ExplicitBodies& bodies, const Touch& touch, const Vec3& velocity,
+                          double pressure) const;
+  bool push(ExplicitBodies& bodies, Touch& touch, double dt);
+  double act_within_energy(ExplicitBodies& bodies, const Touch& touch, const Vec3& impulse, const Vec3& velocity,
+                           double time);
+  void record_impacts(double min_speed);
   const Obstacle& ground() const;
   void list_grounded();
+  void touch_ground();
   bool stop_at_ground(ExplicitBodies& bodies, double dt);
   void list_bonds(const ExplicitBodies& bodies);
   void hold_cracks(ExplicitBodies& bodies, double dt);
@@ -222,6 +232,7 @@ class MicrostepContacts {
   std::vector<Candidates> candidates_;  ///< per obstacle
   std::vector<NodeAndSide> pairs_;      ///< nodes near sides of other bodies, by node
   std::vector<GroundedPoint> grounded_;
+  std::vector<Touch> grounded_touches_;  ///< per point near the ground
   std::vector<Touch> touches_;
   std::vector<Found> found_;
   std::vector<int> order_;  ///< order of touches, the deepest first

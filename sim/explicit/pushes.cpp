@@ -53,38 +53,62 @@ void MicrostepContacts::take_back(ExplicitBodies& bodies, const Touch& touch, co
                       : shift(touch.other_node, -impulse);
 }
 
+/// Returns by how much the friction of a touch changes [N·s]: it stops the sliding as far as the normal impulse allows.
+Vec3 MicrostepContacts::change_of_friction(const ExplicitBodies& bodies, const Touch& touch, const Vec3& velocity,
+                                           double pressure) const {
+  const Vec3 sliding = velocity - velocity.dot(touch.normal) * touch.normal;
+  const double slip = sliding.norm(), limit = friction_of(bodies, touch) * pressure;
+  Vec3 friction = touch.friction;
+  if (slip > kNegligibleSpeed) friction += sliding / mobility_of(bodies, touch, sliding / slip);
+  const double size = friction.norm();
+  if (size > limit) friction *= limit / size;
+  return friction - touch.friction;
+}
+
 /// Stops the approach and reverts the overlap, as far as the last motion at that speed caused it. Otherwise forces that
-/// press two surfaces together would let them creep into each other step by step, and waves lose their energy.
-bool MicrostepContacts::push(ExplicitBodies& bodies, Touch& touch, double dt, double min_speed) {
+/// press two surfaces together would let them creep into each other step by step, and waves lose their energy. What
+/// other touches of the microstep have made too large is taken back: nodes pressed into a corner would gain energy.
+bool MicrostepContacts::push(ExplicitBodies& bodies, Touch& touch, double dt) {
   const Vec3 velocity = approach_of(bodies, touch);
   const double speed = -velocity.dot(touch.normal);
-  if (speed <= kNegligibleSpeed) return false;
+  if (touch.pressure == 0 && speed <= kNegligibleSpeed) return false;
   const double mobility = mobility_of(bodies, touch, touch.normal);
   if (mobility == 0) return false;
-  Vec3 impulse = -speed / mobility * touch.normal;  // impulse on the bodies
-  const Vec3 sliding = velocity + speed * touch.normal;
-  const double slip = sliding.norm();
-  if (slip > 0) {
-    const double stopping = slip / mobility_of(bodies, touch, sliding / slip);
-    impulse += std::min(friction_of(bodies, touch) * speed / mobility, stopping) / slip * sliding;
-  }
+  const double change = std::max(speed / mobility, -touch.pressure);
+  const Vec3 friction = change_of_friction(bodies, touch, velocity, touch.pressure + change);
+  if (std::max(std::abs(speed), friction.norm() * mobility) <= kNegligibleSpeed) return false;
+  const double time = speed > 0 ? std::clamp(touch.depth / speed, 0.0, dt) : touch.reverted / touch.pressure;
+  const double fraction = act_within_energy(bodies, touch, friction - change * touch.normal, velocity, time);
+  touch.pressure += fraction * change;
+  touch.friction += fraction * friction;
+  touch.reverted += fraction * time * change;
+  touch.depth -= time * speed;
+  touch.approach = std::max(touch.approach, speed);
+  return true;
+}
+
+/// Applies an impulse, or the fraction of it that takes the most energy where all of it would give some: friction and
+/// the lever arms of light objects may turn it into a gain. Returns that fraction.
+double MicrostepContacts::act_within_energy(ExplicitBodies& bodies, const Touch& touch, const Vec3& impulse,
+                                            const Vec3& velocity, double time) {
   act(bodies, touch, impulse);
   Vec3 after = approach_of(bodies, touch);
-  // Friction and the lever arms of light objects may turn an impulse into a gain of energy. It is then reduced to the
-  // size of the largest loss.
-  if (impulse.dot(velocity + after) < 0) {
-    const double fraction = impulse.dot(velocity) / impulse.dot(velocity - after);
+  double fraction = 1;
+  if (impulse.dot(velocity) > 0 && impulse.dot(velocity + after) < 0) {
+    fraction = impulse.dot(velocity) / impulse.dot(velocity - after);
     act(bodies, touch, (fraction - 1) * impulse);
-    impulse *= fraction;
     after = velocity + fraction * (after - velocity);
   }
-  lost_ += 0.5 * impulse.dot(velocity + after);
-  const double time = std::min(dt, touch.depth / speed);
-  take_back(bodies, touch, impulse, time);
-  touch.depth -= time * speed;
-  if (speed > min_speed)
-    recorded_impacts_.push_back({touch.nodes[0], touch.obstacle, touch.place, touch.normal, impulse, speed});
-  return true;
+  lost_ += 0.5 * fraction * impulse.dot(velocity + after);
+  take_back(bodies, touch, fraction * impulse, time);
+  return fraction;
+}
+
+void MicrostepContacts::record_impacts(double min_speed) {
+  for (const Touch& touch : touches_)
+    if (touch.approach > min_speed && touch.pressure > 0)
+      recorded_impacts_.push_back({touch.nodes[0], touch.obstacle, touch.place, touch.normal,
+                                   touch.friction - touch.pressure * touch.normal, touch.approach});
 }
 
 MicrostepContacts::Pushed& MicrostepContacts::pushed(const ExplicitBodies& bodies, int node) {
