@@ -42,6 +42,7 @@ struct Obstacle {
   Vec3 center = Vec3::Zero();           ///< center of mass in its own frame; not zero if it swings about a pivot [m]
   RigidState state;
   double friction = 0.6;
+  bool is_soft = false;      ///< deforms visibly: the ground does not stop all of it at once
   double energy_gained = 0;  ///< work of impulses at the mean of its velocities before and after [J]
 
   bool is_sphere() const { return solids.empty(); }

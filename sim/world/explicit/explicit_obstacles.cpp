@@ -166,6 +166,7 @@ explicit_dynamics::Obstacle obstacle_of(const WorldState& world, const Body& bod
   explicit_dynamics::Obstacle obstacle;
   obstacle.object = body.proxy;
   obstacle.friction = world.material_of(body).friction;
+  obstacle.is_soft = deforms_visibly(world, body);
   obstacle.state = proxy_state(body);
   if (!body.supported()) {
     obstacle.inverse_mass = 1 / body.motion.mass;
