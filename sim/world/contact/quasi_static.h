@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+
+#include "sim/world/contact/touched_body.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {
@@ -14,7 +17,10 @@ void choose_quasi_static_bodies(WorldState& world);
 /// be.
 std::vector<Vec3> touching_places(const WorldState& world);
 
-/// True if a wave crosses a body within `dt` [s]: by an implicit step of that length it comes close to equilibrium.
-bool reaches_equilibrium(const WorldState& world, const Body& body, double dt);
+/// Slows the deformation of quasi-static bodies where it would take more energy than the contacts of their group
+/// dissipate: the inertia of what presses on them lets it go no faster. Heavy objects that are stopped within a short
+/// substep would otherwise strain what they strike with many times the energy that they had. `bodies`: indices of the
+/// bodies that respond.
+void limit_deformation(WorldState& world, const TouchedBodies& touched, std::span<const int> bodies);
 
 }  // namespace griffith

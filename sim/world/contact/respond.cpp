@@ -12,7 +12,6 @@
 #include "sim/world/contact/pressure_distribution.h"
 #include "sim/world/contact/quasi_static.h"
 #include "sim/world/motion/elastic_phase.h"
-#include "sim/world/motion/motion_phase.h"
 
 namespace griffith {
 namespace {
@@ -105,7 +104,6 @@ void respond(WorldState& world, TouchedBody& touched, const LoadedBody& loaded, 
     body.system->add_reactions(dt, nodal, world.nodes.constraints, touched.change, world.nodes.reactions);
   }
   add_changes(world, touched);
-  if (body.quasi_static && !reaches_equilibrium(world, body, dt)) keep_whole_motion(world, body);
   world.scratch.bodies[body.id].contact_work = loaded.impulses.cwiseProduct(point_velocities(world, loaded.at)).sum();
 }
 
@@ -126,6 +124,7 @@ void respond(WorldState& world, TouchedBodies& touched, std::span<const int> bod
     for (const int i : bodies.subspan(begin, end - begin))
       respond(world, touched.bodies[i], loads_on(world, touched.bodies[i], touched.objects[i], spread), dt);
   });
+  if (spreads) limit_deformation(world, touched, bodies);
 }
 
 void respond(WorldState& world, TouchedBodies& touched, double dt) {

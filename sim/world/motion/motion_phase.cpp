@@ -210,12 +210,21 @@ void restore_angular_momentum(WorldState& world, const Body& body, const BodySna
   add_spin_to_edges(body, spin, world.edges);
 }
 
-void keep_whole_motion(WorldState& world, const Body& body) {
+void slow_deformation(WorldState& world, const Body& body, double fraction) {
   const std::optional<FreeMotion> motion = free_motion_of(world, body);
   const std::function<Vec3(NodeId)> whole_velocity = rigid_velocity_of(world, body, motion);
   const Vec3 spin = motion ? motion->spin : Vec3::Zero();
-  for (NodeId node : body.nodes) world.nodes.velocities[node] = whole_velocity(node);
-  for (EdgeId edge : body.edges) world.edges.velocities[edge] = spin.cross(world.edges.offsets[edge]);
+  const auto slow = [fraction](Vec3& velocity, const Vec3& whole) { velocity = whole + fraction * (velocity - whole); };
+  for (NodeId node : body.nodes) slow(world.nodes.velocities[node], whole_velocity(node));
+  for (EdgeId edge : body.edges) slow(world.edges.velocities[edge], spin.cross(world.edges.offsets[edge]));
+}
+
+double deforming_work(const WorldState& world, const Body& body, const std::vector<Vec3>& impulses) {
+  const std::optional<FreeMotion> motion = free_motion_of(world, body);
+  const std::function<Vec3(NodeId)> whole_velocity = rigid_velocity_of(world, body, motion);
+  double work = 0;
+  for (NodeId node : body.nodes) work += impulses[node].dot(world.nodes.velocities[node] - whole_velocity(node));
+  return work;
 }
 
 void stop_deforming(WorldState& world, const Body& body) {

@@ -25,8 +25,12 @@ struct Wrench {
   Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
 };
 Wrench wrench_of(const WorldState& world, const Body& body, const std::vector<Vec3>& forces);
+/// Scales the velocities that deform a deformable body by `fraction`, from 0 to 1.
+void slow_deformation(WorldState& world, const Body& body, double fraction);
 /// Removes the velocities that deform a deformable body.
-void keep_whole_motion(WorldState& world, const Body& body);
+inline void keep_whole_motion(WorldState& world, const Body& body) { slow_deformation(world, body, 0); }
+/// Returns the work of impulses at the velocities that deform a body [J]. `impulses`: per node of the mesh [N·s].
+double deforming_work(const WorldState& world, const Body& body, const std::vector<Vec3>& impulses);
 /// Does the same; the lost energy goes to EnergyAccount::regime_change.
 void stop_deforming(WorldState& world, const Body& body);
 /// Returns the kinetic energy of a deformable body's nodes and edges [J].
