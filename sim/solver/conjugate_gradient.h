@@ -4,6 +4,7 @@
 
 #include "sim/solver/factor_preconditioner.h"
 #include "sim/solver/preconditioner.h"
+#include "sim/solver/whole_motion.h"
 
 namespace griffith {
 
@@ -31,8 +32,10 @@ struct Preconditioning {
 /// from the best multiple of what is in `x` (least error in the energy norm), so that a bad guess costs nothing. Stops
 /// at |b − A x| <= tolerance · scale, or when `cancelled`, called before each iteration, returns true. Large matrices
 /// and tolerances from 1e-5 on start in single precision, refined by residuals in double, unless there are factors.
+/// `beside`: motions that x must not contain, and whose momentum b does not have; x then solves Pᵀ A P x = b with the
+/// projection P beside them. A itself would answer a deformation with such a motion where the body is strained.
 SolveReport conjugate_gradient(const BlockSparseMatrix& a, const Preconditioning& preconditioner, const NodeVectors& b,
                                NodeVectors& x, double tolerance, double scale, int max_iterations,
-                               const std::function<bool()>& cancelled = {});
+                               const std::function<bool()>& cancelled = {}, const WholeMotion* beside = nullptr);
 
 }  // namespace griffith

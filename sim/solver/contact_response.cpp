@@ -63,8 +63,7 @@ NodeVectors respond_alone(const DeformableInertia& body, const NodeVectors& impu
     whole = body.whole.part_of(velocities_of(body.whole, momentum));
   }
   conjugate_gradient(*body.matrix, {*body.preconditioner, body.factors}, rest, deforming, relative_residual,
-                     std::sqrt(dot(rest, rest)), max_iterations);
-  if (body.whole.exists()) deforming -= body.whole.part_of(deforming);
+                     std::sqrt(dot(rest, rest)), max_iterations, {}, body.whole.exists() ? &body.whole : nullptr);
   return whole + deforming;
 }
 

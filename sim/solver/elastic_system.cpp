@@ -10,7 +10,7 @@
 #include "sim/mesh/topology.h"
 #include "sim/solver/linear_solvers.h"
 #include "sim/solver/pivot.h"
-#include "sim/solver/rigid_motion.h"
+#include "sim/solver/whole_motion.h"
 
 namespace griffith {
 namespace {
@@ -35,49 +35,34 @@ std::vector<NodeId> number_rows(std::span<const NodeId> body_nodes, std::span<co
   return numbered;
 }
 
-/// Returns the values of nodes, without those of edges that follow.
-NodeVectors of_nodes(const NodeVectors& values, int nodes) { return values.leftCols(nodes); }
-RigidMotion motion_of_nodes(int nodes, const NodeVectors& places, const NodeVectors& velocities,
-                            const Eigen::VectorXd& masses) {
-  if (nodes == places.cols()) return rigid_motion(places, velocities, masses);
-  return rigid_motion(of_nodes(places, nodes), of_nodes(velocities, nodes), masses.head(nodes));
-}
-Vec3 spin_of_nodes(int nodes, const Pivot& pivot, const NodeVectors& places, const NodeVectors& velocities,
-                   const Eigen::VectorXd& masses) {
-  if (nodes == places.cols()) return turning_about(pivot, places, velocities, masses).spin;
-  return turning_about(pivot, of_nodes(places, nodes), of_nodes(velocities, nodes), masses.head(nodes)).spin;
-}
-
 /// Adds the centrifugal impulses on the shape, in a frame that rotates with the body: h·m ω×(a×ω) for a node at arm a.
-void add_centrifugal_impulses(int nodes, const Vec3& center, const Vec3& spin, const NodeVectors& positions,
-                              const Eigen::VectorXd& masses, double dt, NodeVectors& impulses) {
-  for (int row = 0; row < nodes; ++row) {
-    const Vec3 arm = positions.col(row) - center;
-    impulses.col(row) += dt * masses[row] * spin.cross(arm.cross(spin));
+void add_centrifugal_impulses(const WholeMotion& whole, const Vec3& spin, double dt, NodeVectors& impulses) {
+  for (Eigen::Index row = 0; row < whole.masses.size(); ++row) {
+    const Vec3 arm = whole.arms.col(row);
+    impulses.col(row) += dt * whole.masses[row] * spin.cross(arm.cross(spin));
   }
 }
 
-/// Solves A x = b where the motion that `rigid_field` takes out of velocities follows from momentum balance alone, so
-/// that only the deformation is solved for: no residual can slow a fall or a swing, and convergence is relative to what
-/// is elastic. `add_centrifugal(rigid, impulses)` adds what that motion does to the shape.
-template <class Field, class Centrifugal>
+/// Solves A x = b where the motion as a whole follows from momentum balance alone, so that only the deformation is
+/// solved for: no residual can slow a fall or a swing, and convergence is relative to what is elastic. It is solved for
+/// in axes that move along, in which that motion strains nothing: the stiffness in A would resist its displacement
+/// along tangents. `masses`: per row [kg].
 SolveReport solve_beside(const BlockSparseMatrix& a, const Preconditioning& preconditioner, const ImplicitStep& step,
-                         const Eigen::VectorXd& masses, const NodeVectors& b, const Field& rigid_field,
-                         const Centrifugal& add_centrifugal, NodeVectors& x) {
-  const Eigen::VectorXd inverse_masses = (masses * (1 + step.dt * step.mass_damping)).cwiseInverse();
-  const NodeVectors rigid = rigid_field(b * inverse_masses.asDiagonal());
-  NodeVectors product;
-  multiply(a, rigid, product);
-  NodeVectors elastic = b - product;
-  add_centrifugal(rigid, elastic);
+                         const Eigen::VectorXd& masses, const WholeMotion& whole, const NodeVectors& b,
+                         NodeVectors& x) {
+  const Eigen::VectorXd damped_masses = masses * (1 + step.dt * step.mass_damping);
+  const NodeVectors rigid = whole.part_of(b * damped_masses.cwiseInverse().asDiagonal());
+  NodeVectors elastic = b - rigid * damped_masses.asDiagonal();
+  add_centrifugal_impulses(whole, whole.spin_of(rigid), step.dt, elastic);
+  elastic -= whole.momentum_of(elastic);
 
-  // Below the rounding errors of A times the rigid motion there is only noise to solve for.
+  // Below the rounding errors of elastic forces there is only noise to solve for.
   const double noise = 4 * std::numeric_limits<double>::epsilon() * diagonal_product_norm(a, rigid);
   const double scale = std::max(std::sqrt(dot(elastic, elastic)), noise / step.relative_residual);
-  x -= rigid_field(x);
+  x -= whole.part_of(x);
   const SolveReport report =
-      conjugate_gradient(a, preconditioner, elastic, x, step.relative_residual, scale, step.max_iterations);
-  x += rigid - rigid_field(x);
+      conjugate_gradient(a, preconditioner, elastic, x, step.relative_residual, scale, step.max_iterations, {}, &whole);
+  x += rigid;
   return report;
 }
 
@@ -91,24 +76,6 @@ void project_row(BlockSparseMatrix& a, int row, const Mat3& allowed) {
     transposed = transposed * allowed;
   }
   diagonal += scale * (Mat3::Identity() - allowed);
-}
-
-/// Solves for a body that turns about a pivot. Places are positions of nodes, then offsets of edges.
-SolveReport solve_swinging(const BlockSparseMatrix& a, const Preconditioning& preconditioner, const ImplicitStep& step,
-                           const Pivot& pivot, int nodes, const NodeVectors& places, const Eigen::VectorXd& masses,
-                           const NodeVectors& b, NodeVectors& x) {
-  const auto swing = [&](const NodeVectors& velocities) {
-    const Vec3 spin = spin_of_nodes(nodes, pivot, places, velocities, masses);
-    NodeVectors field(3, places.cols());
-    for (Eigen::Index row = 0; row < field.cols(); ++row)
-      field.col(row) = spin.cross(row < nodes ? Vec3(places.col(row) - pivot.place) : Vec3(places.col(row)));
-    return field;
-  };
-  const auto centrifugal = [&](const NodeVectors& rigid, NodeVectors& impulses) {
-    const Vec3 spin = spin_of_nodes(nodes, pivot, places, rigid, masses);
-    add_centrifugal_impulses(nodes, pivot.place, spin, places, masses, step.dt, impulses);
-  };
-  return solve_beside(a, preconditioner, step, masses, b, swing, centrifugal, x);
 }
 
 }  // namespace
@@ -271,10 +238,12 @@ SolveReport ElasticSystem::solve(const ImplicitStep& step, std::span<const Vec3>
 
   SolveReport report;
   if (is_free()) {
-    report = solve_free(step, places, mass, b, x);
+    const WholeMotion whole = free_motion(places, mass.head(count));
+    report = solve_beside(rows_->matrix, preconditioning(), step, mass, whole, b, x);
   } else if (const std::optional<Pivot> pivot = pivot_of(supports(), constraints, positions)) {
+    const WholeMotion whole = swinging_motion(places, mass.head(count), *pivot);
     project(b);
-    report = solve_swinging(rows_->matrix, preconditioning(), step, *pivot, count, places, mass, b, x);
+    report = solve_beside(rows_->matrix, preconditioning(), step, mass, whole, b, x);
     project(x);
   } else {
     report = solve_carried(step, constraints, mass, b, x);
@@ -375,24 +344,6 @@ void ElasticSystem::balance_supports(double dt, std::span<const NodeConstraint> 
       impulse += a.blocks[k] * velocity_of(a.columns[k]);
     reactions_[support] = (impulse - constraints[supports()[support]].allowed * impulse) / dt;
   }
-}
-
-SolveReport ElasticSystem::solve_free(const ImplicitStep& step, const NodeVectors& places,
-                                      const Eigen::VectorXd& masses, const NodeVectors& b, NodeVectors& x) const {
-  const auto count = static_cast<int>(nodes().size());
-  const auto rigid_field = [&](const NodeVectors& velocities) {
-    const RigidMotion motion = motion_of_nodes(count, places, velocities, masses);
-    NodeVectors field(3, places.cols());
-    for (int row = 0; row < count; ++row) field.col(row) = motion.velocity_at(places.col(row));
-    for (Eigen::Index row = count; row < field.cols(); ++row)
-      field.col(row) = motion.angular_velocity.cross(Vec3(places.col(row)));
-    return field;
-  };
-  const auto centrifugal = [&](const NodeVectors& rigid, NodeVectors& impulses) {
-    const RigidMotion motion = motion_of_nodes(count, places, rigid, masses);
-    add_centrifugal_impulses(count, motion.center, motion.angular_velocity, places, masses, step.dt, impulses);
-  };
-  return solve_beside(rows_->matrix, preconditioning(), step, masses, b, rigid_field, centrifugal, x);
 }
 
 }  // namespace griffith

@@ -151,8 +151,6 @@ class ElasticSystem {
   /// Completes the impulses that reactions_ holds, −(M v + h f) of the supports, to reaction forces.
   void balance_supports(double dt, std::span<const NodeConstraint> constraints, std::span<const Vec3> velocities,
                         std::span<const Vec3> edge_velocities);
-  SolveReport solve_free(const ImplicitStep& step, const NodeVectors& places, const Eigen::VectorXd& masses,
-                         const NodeVectors& b, NodeVectors& x) const;
   Preconditioning preconditioning() const { return {preconditioner(), factors()}; }
 
   CopyOnWrite<ElementRows> rows_;  // S A S, one row a node that is not held

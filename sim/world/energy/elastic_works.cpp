@@ -18,7 +18,7 @@ using FourMatrices = simd::Matrix3<DoubleLanes>;
 
 /// Four tets side by side before they move.
 struct FourStarts {
-  FourMatrices frame, gradient, deforming;  ///< gradients: of the displacements, and of those that deform the body
+  FourMatrices frame, gradient;  ///< gradient: of the displacements that deform the body
   simd::Symmetric3<DoubleLanes> stress;
   simd::Symmetric3<DoubleLanes> compaction = {};  ///< zero for laws that do not resist it
   DoubleLanes volume;
@@ -69,19 +69,17 @@ FourStarts starts_of(const WorldState& world, const ElasticLaw& law, const std::
   };
   const auto state = [&](TetId tet) -> const ElementState& { return world.elements.states[tet]; };
   const auto rest = [&](TetId tet) -> const RestElement& { return world.elements.rest_elements[tet]; };
-  const std::vector<Vec3>&whole = world.nodes.velocities, &deforming = world.scratch.substep_start.deforming_velocities;
-  FourCorners ways, deforming_ways, slopes;
+  const std::vector<Vec3>& deforming = world.scratch.substep_start.deforming_velocities;
+  FourCorners ways, slopes;
   for (int i = 0; i < 3; ++i)
     for (int corner = 0; corner < 4; ++corner) {
       const auto node = [&](TetId tet) { return world.mesh->tets[tet][corner]; };
-      ways[i][corner] = dt * lanes([&](TetId tet) { return whole[node(tet)][i]; });
-      deforming_ways[i][corner] = dt * lanes([&](TetId tet) { return deforming[node(tet)][i]; });
+      ways[i][corner] = dt * lanes([&](TetId tet) { return deforming[node(tet)][i]; });
       slopes[i][corner] = lanes([&](TetId tet) { return rest(tet).shape_gradients(i, corner); });
     }
   FourStarts starts;
   starts.frame = matrix_of([&](int i, int j) { return lanes([&](TetId tet) { return state(tet).frame(i, j); }); });
   starts.gradient = gradients_of(ways, slopes);
-  starts.deforming = gradients_of(deforming_ways, slopes);
   const auto symmetric = [&](SymmetricMat3 ElementState::*matrix) -> simd::Symmetric3<DoubleLanes> {
     const auto entry = [&](double SymmetricMat3::*of) {
       return lanes([&](TetId tet) { return state(tet).*matrix.*of; });
@@ -95,22 +93,19 @@ FourStarts starts_of(const WorldState& world, const ElasticLaw& law, const std::
   return starts;
 }
 
-/// Returns the change of the work against compaction per volume: tr(a) tr(b) + ½ sym(a) : sym(b) with a and b = G (B
-/// C)ᵀ of both gradients G (stiffness_row()).
+/// Returns the change of the work against compaction per volume: tr(a)² + ½ sym(a) : sym(a) with a = G (B C)ᵀ of the
+/// gradient G (stiffness_row()).
 DoubleLanes compaction_work(const FourStarts& starts) {
   const auto& b = starts.frame.at;
   const FourMatrices c = full(starts.compaction);
   const FourMatrices bc =
       matrix_of([&](int i, int j) { return b[i][0] * c.at[0][j] + (b[i][1] * c.at[1][j] + b[i][2] * c.at[2][j]); });
-  const auto symmetric_of = [&](const FourMatrices& gradient) {
-    const auto& g = gradient.at;
-    const auto rate = [&](int i, int j) {
-      return g[i][0] * bc.at[j][0] + (g[i][1] * bc.at[j][1] + g[i][2] * bc.at[j][2]);
-    };
-    return matrix_of([&](int i, int j) { return 0.5 * (rate(i, j) + rate(j, i)); });
+  const auto& g = starts.gradient.at;
+  const auto rate = [&](int i, int j) {
+    return g[i][0] * bc.at[j][0] + (g[i][1] * bc.at[j][1] + g[i][2] * bc.at[j][2]);
   };
-  const FourMatrices x = symmetric_of(starts.deforming), y = symmetric_of(starts.gradient);
-  return trace_of(x) * trace_of(y) + 0.5 * sum_of_products(x, y);
+  const FourMatrices x = matrix_of([&](int i, int j) { return 0.5 * (rate(i, j) + rate(j, i)); });
+  return trace_of(x) * trace_of(x) + 0.5 * sum_of_products(x, x);
 }
 
 /// Returns the symmetric parts of Bᵀ G of a gradient G of displacements in the frame B.
@@ -123,18 +118,17 @@ FourMatrices strain_of(const FourMatrices& frame, const FourMatrices& gradient) 
 
 FourWorks works_of(const ElasticLaw& law, const FourStarts& starts) {
   const FourMatrices stress = full(starts.stress);
-  const FourMatrices strain = strain_of(starts.frame, starts.gradient),
-                     deforming = strain_of(starts.frame, starts.deforming);
+  const FourMatrices strain = strain_of(starts.frame, starts.gradient);
   FourWorks works;
-  works.first = starts.volume * sum_of_products(stress, deforming);
-  works.change = starts.volume * (law.lambda * trace_of(deforming) * trace_of(strain) +
-                                  2 * law.mu * sum_of_products(deforming, strain));
+  works.first = starts.volume * sum_of_products(stress, strain);
+  works.change =
+      starts.volume * (law.lambda * trace_of(strain) * trace_of(strain) + 2 * law.mu * sum_of_products(strain, strain));
   if (law.compaction > 0) works.change += starts.volume * compaction_work(starts);
   if (law.model == ElementModel::green_strain) {
     const auto &t = full(simd::tensile_part(starts.stress)).at, &g = starts.gradient.at;
     const FourMatrices carried =
         matrix_of([&](int i, int j) { return g[i][0] * t[0][j] + (g[i][1] * t[1][j] + g[i][2] * t[2][j]); });
-    works.change += starts.volume * sum_of_products(carried, starts.deforming);
+    works.change += starts.volume * sum_of_products(carried, starts.gradient);
   }
   return works;
 }
@@ -159,16 +153,16 @@ std::array<Corners, 5> linear_ways(const QuadraticWay& way) {
   return ways;
 }
 
-/// Returns a·K b of a quadratic tet. With K of the linear tet, it is (Σ_v a_v·K b_v + Σ a_v·K Σ b_v) / 20.
+/// Returns a·K a of a quadratic tet. With K of the linear tet, it is (Σ_v a_v·K a_v + Σ a_v·K Σ a_v) / 20.
 double stiffness_product(const ElasticLaw& law, const RestElement& rest, const ElementState& mean,
-                         const QuadraticWay& a, const QuadraticWay& b) {
-  const std::array<Corners, 5> first = linear_ways(a), second = linear_ways(b);
+                         const QuadraticWay& way) {
+  const std::array<Corners, 5> ways = linear_ways(way);
   double product = 0;
   for (int i = 0; i < 4; ++i) {
     const StiffnessRow row = stiffness_row(law, rest, mean, i);
     for (int j = 0; j < 4; ++j) {
       const Mat3 block = row.block(j);
-      for (int v = 0; v < 5; ++v) product += first[v].col(i).dot(block * second[v].col(j));
+      for (int v = 0; v < 5; ++v) product += ways[v].col(i).dot(block * ways[v].col(j));
     }
   }
   return product / 20;
@@ -186,12 +180,11 @@ ElasticWorks quadratic_works(const WorldState& world, const Body& body, double d
       const auto way_of = [&](const std::vector<Vec3>& nodes, const std::vector<Vec3>& edges) {
         return QuadraticWay{dt * corners_of(world.mesh, tet, nodes), dt * edges_of(world.tet_edges, tet, edges)};
       };
-      const QuadraticWay whole = way_of(world.nodes.velocities, world.edges.velocities);
       const QuadraticWay deforming = way_of(start.deforming_velocities, start.deforming_edge_velocities);
       const QuadraticForces acting = quadratic_forces(rest, world.elements.quadratic_states[tet]);
       first[i] =
           -acting.corners.cwiseProduct(deforming.corners).sum() - acting.edges.cwiseProduct(deforming.edges).sum();
-      change[i] = stiffness_product(law, rest, world.elements.states[tet], deforming, whole);
+      change[i] = stiffness_product(law, rest, world.elements.states[tet], deforming);
     }
   });
   ElasticWorks sum;

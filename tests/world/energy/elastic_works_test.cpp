@@ -57,7 +57,7 @@ TEST_P(ElasticWorksTest, ChangeByTheSystemsStiffness) {
   EXPECT_GT(works.change, 0);
 }
 
-/// Motion of a body as a whole changes the forces, but does no work.
+/// Motion of a body as a whole neither does work nor changes the forces in axes that move along.
 TEST_P(ElasticWorksTest, ChangeOverWhatDeformsAlone) {
   WorldState world = moving_block(GetParam());
   const Body& body = world.bodies[0];
@@ -66,7 +66,7 @@ TEST_P(ElasticWorksTest, ChangeOverWhatDeformsAlone) {
   for (const NodeId node : body.nodes) deforming[node] *= 0.25;
   const ElasticWorks works = elastic_works(world, body, kStep);
   EXPECT_NEAR(works.first, 0.25 * still.first, 1e-12 * std::abs(still.first));
-  EXPECT_NEAR(works.change, 0.25 * still.change, 1e-12 * still.change);
+  EXPECT_NEAR(works.change, 0.0625 * still.change, 1e-12 * still.change);
 }
 
 TEST_P(ElasticWorksTest, NothingIsStoredByWhatDoesNotMove) {
