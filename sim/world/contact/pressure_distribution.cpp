@@ -11,6 +11,7 @@ namespace griffith {
 namespace {
 
 constexpr double kFacing = 0.95;  // cosine between normals of one face
+constexpr double kPoint = 1e-4;   // of the extent of a patch: pressures closer together act on one point
 
 /// Returns the area that belongs to the node of a contact, of the faces that look along the normal there [m²].
 double area_at(const WorldState& world, const Contact& contact) {
@@ -87,7 +88,10 @@ bool distribute(const WorldState& world, FacePatch& patch) {
   double arms = 0;
   for (Eigen::Index i = 0; i < count; ++i)
     arms += (*pressures)[i] * (frame.along_surface(moments.col(i)) - center).squaredNorm();
-  const double torque = sum.torque - frame.normal().dot(center.cross(sum.sliding)), turn = arms > 0 ? torque / arms : 0;
+  const double torque = sum.torque - frame.normal().dot(center.cross(sum.sliding));
+  const double extent = moments.bottomRows<2>().colwise().norm().maxCoeff();
+  const bool is_point = arms <= kPoint * kPoint * extent * extent * sum.normal[0];  // has no torque but rounding errors
+  const double turn = is_point ? 0 : torque / arms;
   for (Eigen::Index i = 0; i < count; ++i) {
     const Vec3 arm = frame.along_surface(moments.col(i)) - center;
     patch.nodes[i].impulse =
