@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/world/bodies/bodies.h"
 #include "sim/world/bodies/expected_impacts.h"
 #include "sim/world/conditions/quick_changes.h"
 #include "sim/world/explicit/explicit_regime.h"
@@ -15,6 +16,18 @@
 namespace griffith {
 namespace {
 
+/// True if a body touches one that is too soft for microsteps, which know that one as a rigid object: the force with
+/// which it presses would be missing.
+bool presses_on_soft_body(const WorldState& world, const Body& body) {
+  const auto is_soft = [&](ProxyId object) {
+    const BodyId id = world.body_of(object);
+    return id.valid() && deforms_visibly(world, world.bodies[id]) && !suits_microsteps(world, world.bodies[id], 0);
+  };
+  return std::ranges::any_of(world.contact_world.contacts(), [&](const Contact& contact) {
+    return (contact.a == body.proxy && is_soft(contact.b)) || (contact.b == body.proxy && is_soft(contact.a));
+  });
+}
+
 /// Returns quick changes of loads and supports within `duration` [s] on bodies suited to microsteps.
 std::vector<QuickChange> changes_for_microsteps(const WorldState& world, double duration) {
   constexpr double kRounding = 1e-9;
@@ -22,7 +35,7 @@ std::vector<QuickChange> changes_for_microsteps(const WorldState& world, double 
   std::vector<QuickChange> changes = quick_changes(world, {now - past, now + duration});
   std::erase_if(changes, [&](const QuickChange& change) {
     const Body& body = world.bodies[change.body];
-    return !body.explicit_state && !suits_microsteps(world, body, 0);
+    return !body.explicit_state && (!suits_microsteps(world, body, 0) || presses_on_soft_body(world, body));
   });
   return changes;
 }
