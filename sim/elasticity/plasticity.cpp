@@ -19,4 +19,8 @@ Mat3 flow(const PlasticLaw& law, const ElementDeformation& deformation, const Ma
   return length > law.limit ? Mat3(law.limit / length * flowed) : flowed;
 }
 
+double yield_work(const PlasticLaw& law, double shear_modulus, const Mat3& flowed) {
+  return 2 * shear_modulus * law.yield_strain * flowed.norm();
+}
+
 }  // namespace griffith

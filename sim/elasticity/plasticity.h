@@ -23,4 +23,7 @@ std::optional<PlasticLaw> plastic_law(const Material& material);
 /// since its strain is unphysical.
 Mat3 flow(const PlasticLaw& law, const ElementDeformation& deformation, const Mat3& plastic_strain);
 
+/// Returns the work of a plastic strain Δε_p at the yield strength, 2μ γ₁ |Δε_p| [J/m³].
+double yield_work(const PlasticLaw& law, double shear_modulus, const Mat3& flowed);
+
 }  // namespace griffith

@@ -22,10 +22,10 @@ Mat3 skew(const Vec3& z) {
 }
 
 /// Returns V/20 (σ_v + Σ σ), the weighted stress of each corner [J].
-std::array<Mat3, 4> weighted_stresses(const RestElement& rest, const std::array<ElementState, 4>& corners) {
+CornerTensors weighted_stresses(const RestElement& rest, const std::array<ElementState, 4>& corners) {
   Mat3 sum = Mat3::Zero();
   for (const ElementState& corner : corners) sum += corner.stress.full();
-  std::array<Mat3, 4> weighted;
+  CornerTensors weighted;
   for (int v = 0; v < 4; ++v) weighted[v] = rest.volume / 20 * (corners[v].stress.full() + sum);
   return weighted;
 }
@@ -54,9 +54,38 @@ simd::Symmetric3<double> mean_of(const simd::Symmetric3<DoubleLanes>& s) {
   return {mean(s.xx), mean(s.yy), mean(s.zz), mean(s.xy), mean(s.xz), mean(s.yz)};
 }
 
-simd::Symmetric3<DoubleLanes> in_all_lanes(const simd::Symmetric3<double>& s) {
-  const DoubleLanes zero = {};
-  return {zero + s.xx, zero + s.yy, zero + s.zz, zero + s.xy, zero + s.xz, zero + s.yz};
+simd::Symmetric3<DoubleLanes> symmetric_lanes(const CornerTensors& m) {
+  const auto entry = [&](int i, int j) { return DoubleLanes{m[0](i, j), m[1](i, j), m[2](i, j), m[3](i, j)}; };
+  return {entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)};
+}
+
+/// Returns the forces on the edges of the weighted stresses s_v in the frames B_v.
+EdgeVectors edge_forces(const RestElement& rest, const CornerTensors& frames, const CornerTensors& weighted) {
+  EdgeVectors forces;
+  for (int edge = 0; edge < 6; ++edge) {
+    const auto [p, q] = kTetEdges[edge];
+    forces.col(edge) = -4 * (frames[p] * (weighted[p] * rest.shape_gradients.col(q)) +
+                             frames[q] * (weighted[q] * rest.shape_gradients.col(p)));
+  }
+  return forces;
+}
+
+/// Sets the forces of stresses at corners, without those of a rotating frame.
+void set_forces(const RestElement& rest, const CornerTensors& weighted, QuadraticState& state) {
+  CornerTensors frames;
+  for (int v = 0; v < 4; ++v) {
+    frames[v] = state.corners[v].frame;
+    state.corner_traction += frames[v] * weighted[v];
+  }
+  state.edge_forces = edge_forces(rest, frames, weighted);
+}
+
+/// Returns the stress-free strains of material at the corners that flows.
+CornerTensors flowed_at_corners(const PlasticLaw& law, const simd::Deformation<DoubleLanes>& deformations,
+                                const CornerTensors& stress_free) {
+  CornerTensors flowed;
+  for (int v = 0; v < 4; ++v) flowed[v] = flow(law, deformations.of(v), stress_free[v]);
+  return flowed;
 }
 
 /// Returns the traction on corners that follows from the dependence of the rotation Q on F_0 = Q S. With δQ = Q Ω, the
@@ -74,6 +103,41 @@ Mat3 turning_traction(const Mat3& q, const Mat3& whole, const std::array<Mat3, 4
 
 }  // namespace
 
+CornerTensors at_integration_points(const CornerTensors& corners) {
+  const double far = (5 - std::sqrt(5.0)) / 20, own = 1 / std::sqrt(5.0);
+  const Mat3 shared = far * (corners[0] + corners[1] + corners[2] + corners[3]);
+  CornerTensors points;
+  for (int v = 0; v < 4; ++v) points[v] = own * corners[v] + shared;
+  return points;
+}
+
+CornerTensors at_corners(const CornerTensors& points) {
+  const double far = (5 - std::sqrt(5.0)) / 20, own = 1 / std::sqrt(5.0);
+  const Mat3 shared = far * (points[0] + points[1] + points[2] + points[3]);
+  CornerTensors corners;
+  for (int v = 0; v < 4; ++v) corners[v] = (points[v] - shared) / own;
+  return corners;
+}
+
+CornerStrains corner_strains(ElementModel model, const RestElement& rest, const Corners& corners,
+                             const EdgeVectors& offsets) {
+  const simd::Deformation<double> whole =
+      simd::deformation_of(model, simd::numbers(deformation_gradient(rest, corners)));
+  const simd::Deformation<DoubleLanes> deformations =
+      corner_deformations(model, whole, corner_gradients(rest, corners, offsets));
+  CornerStrains strains{{}, whole.inverted};
+  for (int v = 0; v < 4; ++v) strains.corners[v] = deformations.strain.of(v);
+  return strains;
+}
+
+CornerTensors flow(const PlasticLaw& law, const CornerStrains& strains, const CornerTensors& plastic_strains) {
+  const CornerTensors at_points = at_integration_points(strains.corners);
+  CornerTensors flowed;
+  for (int i = 0; i < 4; ++i)
+    flowed[i] = flow(law, ElementDeformation{Mat3::Identity(), at_points[i], strains.inverted}, plastic_strains[i]);
+  return flowed;
+}
+
 std::array<Mat3, 4> corner_gradients(const RestElement& rest, const Corners& corners, const EdgeVectors& offsets) {
   const Mat3 whole = deformation_gradient(rest, corners);
   std::array<Mat3, 4> gradients = {whole, whole, whole, whole};
@@ -86,15 +150,16 @@ std::array<Mat3, 4> corner_gradients(const RestElement& rest, const Corners& cor
 }
 
 QuadraticStates quadratic_states(const ElasticLaw& law, const RestElement& rest, const Corners& corners,
-                                 const EdgeVectors& offsets, const Mat3& plastic_strain) {
+                                 const EdgeVectors& offsets, const CornerTensors& stress_free,
+                                 const std::optional<PlasticLaw>& plastic) {
   const Mat3 gradient = deformation_gradient(rest, corners);
   const std::array<Mat3, 4> gradients = corner_gradients(rest, corners, offsets);
   simd::Deformation<double> whole = simd::deformation_of(law.model, simd::numbers(gradient));
   const simd::Deformation<DoubleLanes> deformations = corner_deformations(law.model, whole, gradients);
-  const simd::Symmetric3<double> stress_free = simd::upper_triangle(plastic_strain);
-  const simd::State<DoubleLanes> found = simd::state_of(law, deformations, in_all_lanes(stress_free));
+  const simd::Symmetric3<DoubleLanes> free = symmetric_lanes(stress_free);
+  const simd::State<DoubleLanes> found = simd::state_of(law, deformations, free);
   whole.strain = mean_of(deformations.strain);
-  const simd::State<double> mean = simd::state_of(law, whole, stress_free);
+  const simd::State<double> mean = simd::state_of(law, whole, mean_of(free));
 
   QuadraticStates states{{}, mean.of(0), mean.cauchy_stress.of(0)};
   double energy_densities = 0;
@@ -104,23 +169,19 @@ QuadraticStates quadratic_states(const ElasticLaw& law, const RestElement& rest,
   }
   states.mean.energy_density = 0.8 * states.mean.energy_density + 0.05 * energy_densities;
 
-  const std::array<Mat3, 4> weighted = weighted_stresses(rest, states.state.corners);
-  Mat3& traction = states.state.corner_traction;
-  for (int v = 0; v < 4; ++v) traction += states.state.corners[v].frame * weighted[v];
+  const CornerTensors weighted = weighted_stresses(rest, states.state.corners);
+  set_forces(rest, weighted, states.state);
   if (law.model == ElementModel::corotational || whole.inverted)
-    traction += turning_traction(states.mean.frame, gradient, gradients, weighted);
+    states.state.corner_traction += turning_traction(states.mean.frame, gradient, gradients, weighted);
+  if (!plastic) return states;
+  const CornerTensors flowed = flowed_at_corners(*plastic, deformations, stress_free);
+  const simd::State<DoubleLanes> read = simd::state_of(law, deformations, symmetric_lanes(flowed));
+  for (int v = 0; v < 4; ++v) states.state.corners[v] = read.of(v);
   return states;
 }
 
 QuadraticForces quadratic_forces(const RestElement& rest, const QuadraticState& state) {
-  const std::array<Mat3, 4> weighted = weighted_stresses(rest, state.corners);
-  QuadraticForces forces{-state.corner_traction * rest.shape_gradients, {}};
-  for (int edge = 0; edge < 6; ++edge) {
-    const auto [p, q] = kTetEdges[edge];
-    forces.edges.col(edge) = -4 * (state.corners[p].frame * (weighted[p] * rest.shape_gradients.col(q)) +
-                                   state.corners[q].frame * (weighted[q] * rest.shape_gradients.col(p)));
-  }
-  return forces;
+  return {-state.corner_traction * rest.shape_gradients, state.edge_forces};
 }
 
 QuadraticForces quadratic_damping_forces(const ElasticLaw& law, const RestElement& rest, const Mat3& frame,
@@ -138,7 +199,7 @@ QuadraticForces quadratic_damping_forces(const ElasticLaw& law, const RestElemen
                                2 * law.mu * strain(0, 2),
                                2 * law.mu * strain(1, 2)};
   }
-  for (const Mat3& weighted : weighted_stresses(rest, state.corners)) state.corner_traction += frame * weighted;
+  set_forces(rest, weighted_stresses(rest, state.corners), state);
   return quadratic_forces(rest, state);
 }
 

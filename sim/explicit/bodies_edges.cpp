@@ -62,11 +62,7 @@ void ExplicitBodies::part_edge(int edge, std::span<const int> copies, std::span<
 }
 
 int ExplicitBodies::edge_between(int slot, int corner, int other) const {
-  const auto joins = [&](const std::array<int, 2>& ends) {
-    return std::minmax(corner, other) == std::minmax(ends[0], ends[1]);
-  };
-  const auto edge = std::ranges::find_if(kTetEdges, joins) - kTetEdges.begin();
-  return quadratics_[quadratic_of_block_[slot / kLanes]].edges[edge][slot % kLanes];
+  return quadratics_[quadratic_of_block_[slot / kLanes]].edges[tet_edge(corner, other)][slot % kLanes];
 }
 
 double ExplicitBodies::tie_edges(std::span<const std::pair<int, int>> pairs) {

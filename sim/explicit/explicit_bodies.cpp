@@ -11,6 +11,12 @@
 namespace griffith::explicit_dynamics {
 namespace {
 
+/// Sets the entries of one lane.
+void set_lane(Lanes (&entries)[6], int lane, const Mat3& m) {
+  constexpr int kRow[6] = {0, 1, 2, 0, 1, 0}, kColumn[6] = {0, 1, 2, 1, 2, 2};
+  for (int e = 0; e < 6; ++e) entries[e][lane] = static_cast<float>(m(kRow[e], kColumn[e]));
+}
+
 /// Fraction of critical damping at the highest frequency: damps oscillations that the mesh cannot resolve, but no
 /// others.
 constexpr double kDampingRatio = 0.12;
@@ -86,8 +92,7 @@ void ExplicitBodies::add_body(const ElasticLaw& law, double density, std::span<c
       for (int a = 0; a < 3; ++a)
         block.gradients[k][a][lane] = used ? static_cast<float>(rest_elements[i].shape_gradients(a, k + 1)) : 0.0F;
     if (!used) continue;
-    constexpr int kRow[6] = {0, 1, 2, 0, 1, 0}, kColumn[6] = {0, 1, 2, 1, 2, 2};
-    for (int e = 0; e < 6; ++e) block.offset[e][lane] = static_cast<float>(offsets[i](kRow[e], kColumn[e]));
+    set_lane(block.offset, lane, offsets[i]);
   }
   quadratic_of_block_.resize(blocks_.size(), -1);
   if (edges.empty()) {
@@ -126,8 +131,18 @@ void ExplicitBodies::add_quadratic_blocks(std::span<const std::array<int, 6>> ed
       for (int i = 0; i < 6; ++i) block.edges[i][lane] = edges[tet][i];
     }
     for (int v = 0; v < 4; ++v)
-      for (int e = 0; e < 6; ++e) block.strain[v][e] = block.rate[v][e] = broadcast(0);
+      for (int e = 0; e < 6; ++e) {
+        block.strain[v][e] = block.rate[v][e] = broadcast(0);
+        block.offset[v][e] = blocks_[body.first_block + b].offset[e];
+      }
   }
+}
+
+void ExplicitBodies::set_corner_offsets(std::span<const CornerTensors> offsets) {
+  const int first = quadratic_of_block_[bodies_.back().first_block];
+  for (std::size_t i = 0; i < offsets.size(); ++i)
+    for (int v = 0; v < 4; ++v)
+      set_lane(quadratics_[first + i / kLanes].offset[v], static_cast<int>(i % kLanes), offsets[i][v]);
 }
 
 void ExplicitBodies::finish() {

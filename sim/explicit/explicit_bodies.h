@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/elasticity/element.h"
+#include "sim/elasticity/quadratic_element.h"
 #include "sim/explicit/element_block.h"
 #include "sim/explicit/quadratic_block.h"
 #include "sim/mesh/tet_mesh.h"
@@ -98,6 +99,9 @@ class ExplicitBodies {
   void add_body(const ElasticLaw& law, double density, std::span<const std::array<int, 4>> tets,
                 std::span<const RestElement> rest_elements, std::span<const Mat3> offsets,
                 double limit = std::numeric_limits<double>::infinity(), std::span<const std::array<int, 6>> edges = {});
+  /// Sets the stress-free strains at the corners of the last body's quadratic tets, in its present rotation, in place
+  /// of `offsets` [-].
+  void set_corner_offsets(std::span<const CornerTensors> offsets);
   /// Gives the last body the strength surface of its material, by which nodes are flagged.
   void set_strength_surface(const Material& material);
   /// Adds edges for the next quadratic body, or for a crack. Sets the directions not blocked by supports. As for nodes.

@@ -140,7 +140,7 @@ void force_quadratic_elements_of(const BlockLaw& law, ElementBlock& block, Quadr
     for (int v = 0; v < 4; ++v) green_strain(h[v], strains[v]);
   }
   for (int v = 0; v < 4; ++v) {
-    for (int e = 0; e < 6; ++e) strains[v][e] -= block.offset[e];
+    for (int e = 0; e < 6; ++e) strains[v][e] -= quadratic.offset[v][e];
     largest[v] = max(largest_stress(law, strains[v]), 0);
     for (int e = 0; e < 6; ++e) {
       rates[v][e] = strains[v][e] - quadratic.strain[v][e];
@@ -195,7 +195,7 @@ void settle_quadratic_elements(const BlockLaw& law, ElementBlock& block, Quadrat
   }
   for (int v = 0; v < 4; ++v)
     for (int e = 0; e < 6; ++e) {
-      quadratic.strain[v][e] -= block.offset[e];
+      quadratic.strain[v][e] -= quadratic.offset[v][e];
       quadratic.rate[v][e] = broadcast(0);
     }
 }

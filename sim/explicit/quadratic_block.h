@@ -8,6 +8,7 @@ namespace griffith::explicit_dynamics {
 /// quadratic_element.h, and strains at each corner. None of them is relieved. Edges are ordered as kTetEdges.
 struct QuadraticBlock {
   int edges[6][kLanes];  ///< indices into the arrays of edges
+  Lanes offset[4][6];    ///< stress-free strain, in place of that of the ElementBlock [-]
   Lanes strain[4][6];    ///< elastic strain in the last force_quadratic_elements(), for its rate [-]
   Lanes rate[4][6];      ///< change of strain in the last call [-]
 };

@@ -15,7 +15,7 @@ void link_children(TetMesh& mesh, const std::vector<TetId>& piece, const std::ve
   const auto child_of = [&](TetId tet) {
     return halves[std::lower_bound(piece.begin(), piece.end(), tet) - piece.begin()].child;
   };
-  for (const auto& [tet, child, kept, moved] : halves) {
+  for (const auto& [tet, child, kept, moved, middle] : halves) {
     const TetId behind = mesh.neighbors[tet][kept];
     auto& links = mesh.neighbors[child] = mesh.neighbors[tet];
     for (int face = 0; face < 4; ++face)
@@ -41,7 +41,8 @@ void bisect_piece(TetMesh& mesh, const std::vector<TetId>& piece, NodeId a, Node
   mesh.stars.emplace_back();
   std::vector<TetBisection> halves;
   for (TetId tet : piece) {
-    halves.push_back({tet, TetId(mesh.tet_count()), local_corner(mesh, tet, a), local_corner(mesh, tet, b)});
+    halves.push_back(
+        {tet, TetId(mesh.tet_count()), local_corner(mesh, tet, a), local_corner(mesh, tet, b), middle.node});
     mesh.tets.push_back(std::array<NodeId, 4>(mesh.tets[tet]));
     mesh.tets.back()[halves.back().kept] = middle.node;
     mesh.tets[tet][halves.back().moved] = middle.node;

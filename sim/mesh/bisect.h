@@ -23,6 +23,7 @@ struct EdgeNode {
 struct TetBisection {
   TetId tet, child;
   int kept = 0, moved = 0;
+  NodeId middle;  ///< the new node
 };
 
 /// Bisections of a mesh in order. Later ones may concern nodes and tets of earlier ones.

@@ -46,6 +46,38 @@ std::vector<EdgeId> edges_of(const TetEdges& edges, std::span<const TetId> tets)
   return found;
 }
 
+BisectedEdges bisect_edges(const EdgeNode& middle, std::span<const TetBisection> halves, TetEdges& edges) {
+  BisectedEdges result;
+  std::map<NodeId, EdgeId> known;  // by the ends beside the middle
+  const auto add = [&](NodeId end, const std::array<EdgeId, 3>& from, const std::array<double, 3>& weights) {
+    const auto [entry, is_new] = known.try_emplace(end, EdgeId(edges.edge_count()));
+    if (is_new) {
+      const auto [first, second] = std::minmax(end, middle.node);
+      edges.ends.push_back({first, second});
+      result.parts.push_back({entry->second, from, weights});
+    }
+    return entry->second;
+  };
+  const double t = middle.weight;
+  for (const auto& [tet, child, kept, moved, node] : halves) {
+    if (!edges.is_quadratic(tet)) return result;
+    std::array<EdgeId, 6>&of_tet = edges.of_tet[tet], &of_child = edges.of_tet[child];
+    of_child = of_tet;
+    const EdgeId whole = result.bisected = of_tet[tet_edge(kept, moved)];
+    of_tet[tet_edge(kept, moved)] = add(middle.a, {whole}, {t * t});
+    of_child[tet_edge(kept, moved)] = add(middle.b, {whole}, {(1 - t) * (1 - t)});
+    for (int corner = 0; corner < 4; ++corner) {
+      if (corner == kept || corner == moved) continue;
+      const EdgeId to_a = of_tet[tet_edge(kept, corner)], to_b = of_tet[tet_edge(moved, corner)];
+      const std::array<NodeId, 2>& ends = edges.ends[to_a];
+      const NodeId end = ends[0] == middle.a ? ends[1] : ends[0];
+      of_tet[tet_edge(moved, corner)] = of_child[tet_edge(kept, corner)] =
+          add(end, {to_a, to_b, whole}, {1 - t, t, -t * (1 - t)});
+    }
+  }
+  return result;
+}
+
 std::vector<EdgeCopy> part_edges(const TetMesh& mesh, std::span<const NodeId> copied, TetEdges& edges) {
   std::vector<EdgeCopy> copies;
   std::map<Ends, EdgeId> parted;

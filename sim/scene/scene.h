@@ -25,7 +25,7 @@ enum class CollisionShape {
 
 /// Order of the displacements within the tets of a body.
 enum class ElementOrder {
-  automatic,  ///< quadratic in slender bodies with few across (choose_elements() in check_elements.h)
+  automatic,  ///< quadratic in slender bodies with few across (choose_elements() in choose_elements.h)
   linear,     ///< constant strain per tet: cheap, but too stiff in bending with one or two layers
   quadratic,  ///< linear strain: bends correctly with a single layer of tets
 };

@@ -19,7 +19,6 @@
 #include "sim/world/output/publish.h"
 #include "sim/world/regime/regime_change.h"
 #include "sim/world/setup/build_world.h"
-#include "sim/world/setup/check_elements.h"
 #include "sim/world/setup/residual_strains.h"
 #include "sim/world/state/hash_state.h"
 #include "sim/world/state/world_state.h"
@@ -184,12 +183,12 @@ void World::set_material(int scene_body, const Material& material) {
     throw InputError("material", "is of body " + std::to_string(scene_body) + ", which is none of the scene",
                      "use an index of Scene::bodies");
   check_substep_count(world, scene_body, material);
-  check_elements(world.model->scene, scene_body, world.model->element_choices[scene_body].order, material);
+  check_residual_stress(world.model->scene, scene_body, material);
   const EnergyNow before = energy_now(world);
   world.in_equilibrium = false;
   const bool stays = world.step > 0 && differ_in_resistance_alone(world.materials[scene_body], material);
   world.materials[scene_body] = material;
-  if (material.yield_strength) world.elements.allow_strains();
+  allow_flow(world);
   if (world.step == 0) restore_start(world, scene_body);
   for (Body& body : world.bodies)
     if (body.scene_body == scene_body && body.asleep && !body.rigid) make_elastic(world, body);

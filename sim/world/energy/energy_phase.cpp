@@ -9,7 +9,7 @@
 #include "sim/core/parallel.h"
 #include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/state/corners.h"
+#include "sim/world/state/quadratic_states.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {
@@ -85,23 +85,31 @@ void account_projectile(WorldState& world, std::size_t index, const RigidImpulse
   energy.time_integration += projectile.mass * world.model->scene.gravity.dot(displacement - pushed_out - dt * mean);
 }
 
-/// Returns the stress that a tet would have without yielding since then.
-Mat3 unyielded_stress(const WorldState& world, const Body& body, const BodySnapshot& before, double mu, int i) {
-  const TetId tet = body.tets[i];
-  const Mat3 stress = world.elements.states[tet].stress;
-  if (before.plastic_strains.empty()) return stress;
-  return stress + 2 * mu * (world.elements.plastic_strains[tet] - before.plastic_strains[i]);
+/// Returns the stresses at the corners of a quadratic tet, from which its forces follow [Pa].
+CornerTensors corner_stresses(const WorldState& world, const Body& body, TetId tet) {
+  const std::array<ElementState, 4>& corners = world.elements.quadratic_states[tet].corners;
+  CornerTensors stresses = {corners[0].stress, corners[1].stress, corners[2].stress, corners[3].stress};
+  if (!world.material_of(body).yield_strength) return stresses;
+  const ElasticLaw law = elastic_law(world.material_of(body));
+  const CornerStrains strains = corner_strains_at(world, law.model, tet);
+  const CornerTensors free = world.elements.corner_stress_free_strains(tet);
+  for (int v = 0; v < 4; ++v) {
+    const Mat3 elastic = strains.corners[v] - free[v];
+    stresses[v] = law.lambda * elastic.trace() * Mat3::Identity() + 2 * law.mu * elastic;
+  }
+  return stresses;
 }
 
-/// Returns the same for quadratic tets; `stresses` are those of their corners.
+/// Returns the energy of a change of the stresses of quadratic tets' corners.
 double energy_of_quadratic_change(const WorldState& world, const Body& body, const ElasticLaw& law,
                                   const std::vector<Mat3>& stresses) {
+  const std::vector<Mat3> now = stresses_of(world, body);
   double sum = 0;
   for (std::size_t i = 0; i < body.tets.size(); ++i) {
     double corners = 0;
     Mat3 total = Mat3::Zero();
     for (std::size_t k = 0; k < 4; ++k) {
-      const Mat3 change = world.elements.quadratic_states[body.tets[i]].corners[k].stress.full() - stresses[4 * i + k];
+      const Mat3 change = now[4 * i + k] - stresses[4 * i + k];
       corners += twice_energy_density(law, change);
       total += change;
     }
@@ -110,17 +118,16 @@ double energy_of_quadratic_change(const WorldState& world, const Body& body, con
   return sum;
 }
 
-/// Returns the elastic energy of the strain change since `before`, ½ ∫ Δσ : Δε [J]: the excess of the work of sudden
-/// loads over the energy that a body stores.
-double energy_of_change(const WorldState& world, const Body& body, const BodySnapshot& before,
-                        const std::vector<Mat3>& stresses) {
+/// Returns the elastic energy of the change of stress, ½ ∫ Δσ : Δε [J]: the excess of the work of sudden loads over the
+/// energy that a body stores and the work of yielding.
+double energy_of_change(const WorldState& world, const Body& body, const std::vector<Mat3>& stresses) {
   const ElasticLaw law = elastic_law(world.material_of(body));
   if (!body.edges.empty()) return energy_of_quadratic_change(world, body, law, stresses);
   return parallel_sum(static_cast<int>(body.tets.size()), [&](int begin, int end) {
     double sum = 0;
     for (int i = begin; i < end; ++i)
       sum += 0.5 * world.elements.rest_elements[body.tets[i]].volume *
-             twice_energy_density(law, unyielded_stress(world, body, before, law.mu, i) - stresses[i]);
+             twice_energy_density(law, world.elements.states[body.tets[i]].stress.full() - stresses[i]);
     return sum;
   });
 }
@@ -220,39 +227,62 @@ BodySnapshot snapshot(const WorldState& world, const Body& body) {
     taken.offsets.push_back(world.edges.offsets[edge]);
     taken.edge_velocities.push_back(world.edges.velocities[edge]);
   }
-  if (world.material_of(body).yield_strength)
-    for (TetId tet : body.tets) taken.plastic_strains.push_back(world.elements.plastic_strains[tet]);
+  if (!world.material_of(body).yield_strength) return taken;
+  for (TetId tet : body.tets)
+    body.edges.empty() ? taken.plastic_strains.push_back(world.elements.plastic_strains[tet])
+                       : taken.point_strains.push_back(world.elements.point_strains[tet]);
   return taken;
 }
 
 void restore_plastic_strains(WorldState& world, const Body& body, const BodySnapshot& taken) {
   for (std::size_t i = 0; i < taken.plastic_strains.size(); ++i)
     world.elements.plastic_strains[body.tets[i]] = taken.plastic_strains[i];
+  for (std::size_t i = 0; i < taken.point_strains.size(); ++i)
+    world.elements.point_strains[body.tets[i]] = taken.point_strains[i];
 }
 
 std::vector<Mat3> stresses_of(const WorldState& world, const Body& body) {
   std::vector<Mat3> stresses;
   stresses.reserve(body.tets.size());
   for (TetId tet : body.tets) {
-    if (body.edges.empty()) stresses.push_back(world.elements.states[tet].stress);
-    for (int i = 0; i < 4 && !body.edges.empty(); ++i)
-      stresses.push_back(world.elements.quadratic_states[tet].corners[i].stress);
+    if (body.edges.empty()) {
+      stresses.push_back(world.elements.states[tet].stress);
+    } else {
+      const CornerTensors of_corners = corner_stresses(world, body, tet);
+      stresses.insert(stresses.end(), of_corners.begin(), of_corners.end());
+    }
   }
   return stresses;
 }
 
-double plastic_work(const WorldState& world, const Body& body, const BodySnapshot& before) {
-  if (before.plastic_strains.empty()) return 0;
-  const double mu = shear_modulus(world.material_of(body));
+namespace {
+
+/// Returns the work of yielding since `before` [J], at the stress now and this part of that which yielding relieved.
+double work_of_yielding(const WorldState& world, const Body& body, const BodySnapshot& before, double relieved) {
+  const double mu = relieved * 2 * shear_modulus(world.material_of(body));
   double work = 0;
-  for (std::size_t i = 0; i < body.tets.size(); ++i) {
+  const auto add = [&](double volume, const Mat3& stress, const Mat3& flowed) {
+    work += volume * (stress + mu * flowed).cwiseProduct(flowed).sum();
+  };
+  for (std::size_t i = 0; i < before.plastic_strains.size(); ++i) {
     const TetId tet = body.tets[i];
-    const Mat3 flowed = world.elements.plastic_strains[tet] - before.plastic_strains[i];
-    // At the mean of the stresses before and after it flowed.
-    const Mat3 stress = world.elements.states[tet].stress.full() + mu * flowed;
-    work += world.elements.rest_elements[tet].volume * stress.cwiseProduct(flowed).sum();
+    add(world.elements.rest_elements[tet].volume, world.elements.states[tet].stress,
+        world.elements.plastic_strains[tet] - before.plastic_strains[i]);
+  }
+  for (std::size_t i = 0; i < before.point_strains.size(); ++i) {
+    const TetId tet = body.tets[i];
+    const CornerTensors stresses = at_integration_points(corner_stresses(world, body, tet));
+    for (int k = 0; k < 4; ++k)
+      add(world.elements.rest_elements[tet].volume / 4, stresses[k],
+          world.elements.point_strains[tet][k] - before.point_strains[i][k]);
   }
   return work;
+}
+
+}  // namespace
+
+double plastic_work(const WorldState& world, const Body& body, const BodySnapshot& before) {
+  return work_of_yielding(world, body, before, 0.5);
 }
 
 namespace {
@@ -333,8 +363,8 @@ EnergyAccount spent_in_move(const WorldState& world, const Body& body, const Bod
 EnergyAccount spent_in_equilibrium(const WorldState& world, const Body& body, const BodySnapshot& before,
                                    const std::vector<Mat3>& stresses, double displacement_time) {
   EnergyAccount spent;
-  spent.time_integration = energy_of_change(world, body, before, stresses);
-  spent.plastic = plastic_work(world, body, before);
+  spent.time_integration = energy_of_change(world, body, stresses);
+  spent.plastic = work_of_yielding(world, body, before, 0);
   for (NodeId node : body.system->supports())
     spent.supports += displacement_time * world.nodes.reactions[node].dot(world.nodes.constraints[node].velocity);
   if (world.loads.empty()) return spent;

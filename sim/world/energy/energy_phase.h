@@ -43,6 +43,7 @@ struct BodySnapshot {
   std::vector<Vec3> positions, velocities;     ///< per node of the body
   std::vector<Vec3> offsets, edge_velocities;  ///< per edge of the body
   std::vector<Mat3> plastic_strains;           ///< per tet; empty unless it yields
+  std::vector<CornerTensors> point_strains;    ///< per quadratic tet; empty unless it yields
 };
 BodySnapshot snapshot(const WorldState& world, const Body& body);
 /// Restores the plastic strains of a snapshot.

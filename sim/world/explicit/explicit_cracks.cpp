@@ -13,6 +13,7 @@
 #include "sim/world/explicit/similarity.h"
 #include "sim/world/fracture/separation_phase.h"
 #include "sim/world/state/element_states.h"
+#include "sim/world/state/quadratic_states.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {
@@ -120,10 +121,9 @@ void ExplicitRun::update_linear_states(std::span<const TetId> tets, const Body& 
 
 void ExplicitRun::update_quadratic_states(std::span<const TetId> tets, const Body& body) {
   const ElasticLaw law = effective_elastic_law(world_, body);
+  const std::optional<PlasticLaw> plastic = plastic_law(world_.material_of(body));
   for (const TetId tet : tets) {
-    const QuadraticStates found = quadratic_states(
-        law, world_.elements.rest_elements[tet], corners_of(world_.mesh, tet, world_.nodes.positions),
-        edges_of(world_.tet_edges, tet, world_.edges.offsets), world_.elements.stress_free_strain(tet));
+    const QuadraticStates found = quadratic_states_at(world_, law, plastic, tet);
     world_.elements.states.edit()[tet] = found.mean;
     world_.elements.quadratic_states.edit()[tet] = found.state;
   }
@@ -226,7 +226,10 @@ void ExplicitRun::open(const Overload& overload) {
   const Body& body = body_of(node);
   const BodyId id = body.id;
   const double transit = transit_time(node);
-  if (world_.model->scene.bodies[body.scene_body].remeshing) write_back(world_);
+  if (world_.model->scene.bodies[body.scene_body].remeshing) {
+    write_back(world_);
+    world_.bodies[id].nodes = nodes_of(world_.mesh, body.tets);  // with the copies of earlier cracks
+  }
   world_.time = time_;
   const std::vector<TetId> star = world_.mesh->stars[node];
   std::vector<std::array<TetId, 4>> neighbors;
@@ -237,10 +240,10 @@ void ExplicitRun::open(const Overload& overload) {
   world_.nodes.overloads[node].known_from = time_ + transit;
   const bool cracked = crack(world_, node, opened_);
   if (world_.mesh->tets.size() > tets) {
-    restore_angular_momentum(world_, opened_.motions);
-    opened_.motions.clear();
+    restore_momenta(world_, opened_.motions);
     rebuild_ = true;
   }
+  opened_.motions.clear();
   if (!cracked) return;
   ++world_.report.cracks;
   work_ += kCrackWork;

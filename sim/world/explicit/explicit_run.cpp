@@ -124,6 +124,8 @@ void ExplicitRun::add_elements(const Body& body, const Mat3& turn) {
   law.lambda *= body.explicit_state->similarity, law.mu *= body.explicit_state->similarity;
   explicit_bodies_.add_body(law, world_.material_of(body).density, tets, rest_elements, offsets,
                             body.explicit_state->similarity * body.explicit_state->frequency, edges);
+  if (!edges.empty() && !world_.elements.point_strains.empty())
+    explicit_bodies_.set_corner_offsets(turned_strains(world_.elements, body.tets, turn));
   explicit_bodies_.set_strength_surface(world_.material_of(body));
   const int first = explicit_bodies_.slot(explicit_bodies_.body_count() - 1, 0);
   tets_.resize(explicit_bodies_.tet_slots());

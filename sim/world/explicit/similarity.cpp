@@ -94,7 +94,7 @@ Vec3 unscaled_displacement(const WorldState& world, const Body& body, const Plac
 void keep_momentum(WorldState& world, const Body& body, const RigidMotion& before) {
   const Vec3 shift = before.center - motion_of(world, body).center;
   for (const NodeId node : body.nodes) world.nodes.positions[node] += shift;
-  restore_angular_momentum(world, body, before);
+  restore_momenta(world, body, before);
 }
 
 /// Work of the microsteps of all bodies in explicit dynamics.

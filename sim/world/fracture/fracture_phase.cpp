@@ -239,7 +239,7 @@ std::vector<BodyId> children_of(const WorldState& world, const CrackEvent& event
 }  // namespace
 
 void part_opened(WorldState& world, const Opened& opened) {
-  restore_angular_momentum(world, opened.motions);
+  restore_momenta(world, opened.motions);
   follow_cracks(world.model->splinters, world.mesh->neighbors, opened.parted, world.splinter_state);
   const std::vector<BodyId> pieces =
       part_bodies(world, std::vector<BodyId>(opened.bodies.begin(), opened.bodies.end()));

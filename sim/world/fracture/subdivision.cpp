@@ -7,8 +7,10 @@
 
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/bodies/effective_law.h"
 #include "sim/world/setup/build_world.h"
 #include "sim/world/state/corners.h"
+#include "sim/world/state/quadratic_states.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {
@@ -31,6 +33,45 @@ double kinetic_energy_of(const WorldState& world, const auto& nodes) {
   double energy = 0;
   for (const NodeId node : nodes) energy += 0.5 * world.nodes.masses[node] * world.nodes.velocities[node].squaredNorm();
   return energy;
+}
+
+double kinetic_energy_of_edges(const WorldState& world, std::span<const EdgeId> edges) {
+  double energy = 0;
+  for (const EdgeId edge : edges) energy += 0.5 * world.edges.masses[edge] * world.edges.velocities[edge].squaredNorm();
+  return energy;
+}
+
+/// Appends the node on a bisected edge and, if its tets are quadratic, their edges. All have the values that the field
+/// has there.
+void append_node(WorldState& world, const EdgeNode& node, std::span<const TetBisection> halves) {
+  world.nodes.append_between(node);
+  if (!world.tet_edges->is_quadratic(halves.front().tet)) return;
+  const BisectedEdges edges = bisect_edges(node, halves, world.tet_edges.edit());
+  for (const EdgePart& part : edges.parts) world.edges.append_part(part);
+  const double bend = 4 * node.weight * (1 - node.weight);
+  world.nodes.positions.back() += bend * world.edges.offsets[edges.bisected];
+  world.nodes.velocities.back() += bend * world.edges.velocities[edges.bisected];
+  for (const TetBisection& half : halves) world.elements.share_point_strains(half, node.weight);
+}
+
+/// Updates the states of quadratic tets of a body.
+void update_quadratic_states(WorldState& world, std::span<const TetId> tets) {
+  const Body& body = world.bodies[world.elements.bodies[tets.front()]];
+  const ElasticLaw law = effective_elastic_law(world, body);
+  const std::optional<PlasticLaw> plastic = plastic_law(world.material_of(body));
+  for (const TetId tet : tets) {
+    const QuadraticStates found = quadratic_states_at(world, law, plastic, tet);
+    world.elements.states.edit()[tet] = found.mean;
+    world.elements.quadratic_states.edit()[tet] = found.state;
+    world.elements.stresses.edit()[tet] = found.mean_cauchy_stress;
+  }
+}
+
+/// Returns all tets of a subdivision.
+std::vector<TetId> tets_of(const Subdivision& subdivision) {
+  std::set<TetId> tets;
+  for (const TetBisection& halves : subdivision.tets) tets.insert({halves.tet, halves.child});
+  return {tets.begin(), tets.end()};
 }
 
 /// Corners or faces of tets.
@@ -137,19 +178,30 @@ void follow_places(WorldState& world, const Subdivision& subdivision) {
 
 void follow_subdivision(WorldState& world, const Subdivision& subdivision) {
   if (subdivision.tets.empty()) return;
-  for (const EdgeNode& node : subdivision.nodes) world.nodes.append_between(node);
+  const std::vector<TetId> tets = tets_of(subdivision);
+  if (!world.edges.offsets.empty()) world.tet_edges.edit().of_tet.resize(world.mesh->tets.size());
+  const std::vector<EdgeId> edges_before = edges_of(world.tet_edges, tets);
+  for (const TetBisection& halves : subdivision.tets) append_element(world, halves);
+  auto first = subdivision.tets.begin();
+  for (const EdgeNode& node : subdivision.nodes) {
+    const auto last = std::find_if(first, subdivision.tets.end(),
+                                   [&](const TetBisection& other) { return other.middle != node.node; });
+    append_node(world, node, {first, last});
+    first = last;
+  }
   std::set<NodeId> relumped;  // new ones weigh nothing yet
   for (const EdgeNode& node : subdivision.nodes) relumped.insert({node.node, node.a, node.b});
-  world.energy.regime_change += kinetic_energy_of(world, relumped);
-  for (const TetBisection& halves : subdivision.tets) append_element(world, halves);
-  if (!world.edges.offsets.empty()) world.tet_edges.edit().of_tet.resize(world.mesh->tets.size());
+  world.energy.regime_change += kinetic_energy_of(world, relumped) + kinetic_energy_of_edges(world, edges_before);
   std::vector<RestElement>& rest_elements = world.elements.rest_elements.edit();
   for (const TetBisection& halves : subdivision.tets)
     for (TetId tet : {halves.tet, halves.child})
       rest_elements[tet] = rest_element(corners_of(world.mesh, tet, world.mesh->rest_positions));
   for (const EdgeNode& node : subdivision.nodes)
     for (NodeId changed : {node.node, node.a, node.b}) world.nodes.masses[changed] = node_mass(world, changed);
-  world.energy.regime_change -= kinetic_energy_of(world, relumped);
+  const std::vector<EdgeId> edges_after = edges_of(world.tet_edges, tets);
+  for (const EdgeId edge : edges_after) world.edges.masses[edge] = edge_mass(world, edge);
+  world.energy.regime_change -= kinetic_energy_of(world, relumped) + kinetic_energy_of_edges(world, edges_after);
+  if (!edges_after.empty()) update_quadratic_states(world, tets);
   follow_places(world, subdivision);
 }
 
@@ -160,20 +212,27 @@ void record_motion(const WorldState& world, const Body& body, MotionsBefore& mot
   if (!is_held) noted->second = motion_of(world, body);
 }
 
-void restore_angular_momentum(WorldState& world, const Body& body, const RigidMotion& before) {
+void restore_momenta(WorldState& world, const Body& body, const RigidMotion& before) {
   const RigidMotion now = motion_of(world, body);
   const Vec3 spin = now.inertia.inverse() * (before.inertia * before.angular_velocity) - now.angular_velocity;
   for (NodeId node : body.nodes) world.nodes.velocities[node] += spin.cross(world.nodes.positions[node] - now.center);
+  if (body.edges.empty()) return;  // linear interpolation keeps the momentum
+  for (NodeId node : body.nodes) world.nodes.velocities[node] += before.velocity - now.velocity;
+  add_spin_to_edges(body, spin, world.edges);
 }
 
-void restore_angular_momentum(WorldState& world, const MotionsBefore& motions) {
+void restore_momenta(WorldState& world, const MotionsBefore& motions) {
   for (const auto& [id, before] : motions) {
     if (!before) continue;
     Body& body = world.bodies[id];
     body.nodes = nodes_of(world.mesh, body.tets);
-    world.energy.regime_change += kinetic_energy_of(world, body.nodes);
-    restore_angular_momentum(world, body, *before);
-    world.energy.regime_change -= kinetic_energy_of(world, body.nodes);
+    body.edges = edges_of(world.tet_edges, body.tets);
+    const auto energy = [&] {
+      return kinetic_energy_of(world, body.nodes) + kinetic_energy_of_edges(world, body.edges);
+    };
+    world.energy.regime_change += energy();
+    restore_momenta(world, body, *before);
+    world.energy.regime_change -= energy();
   }
 }
 

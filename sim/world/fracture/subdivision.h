@@ -22,10 +22,11 @@ using MotionsBefore = std::map<BodyId, std::optional<RigidMotion>>;
 /// Records a body's motion before the first of its cracks, when no copies of nodes exist yet.
 void record_motion(const WorldState& world, const Body& body, MotionsBefore& motions);
 
-/// Restores the angular momentum `before` of a body, whose nodes are known, by a rotation as a whole.
-void restore_angular_momentum(WorldState& world, const Body& body, const RigidMotion& before);
+/// Restores the angular momentum `before` of a body, whose nodes and edges are known, by a rotation as a whole; of a
+/// quadratic one also its momentum.
+void restore_momenta(WorldState& world, const Body& body, const RigidMotion& before);
 
-/// Restores the angular momentum that interpolation changed, by a rotation as a whole, which does not change the shape.
-void restore_angular_momentum(WorldState& world, const MotionsBefore& motions);
+/// Restores the momenta that interpolation changed, by a motion as a whole, which does not change the shape.
+void restore_momenta(WorldState& world, const MotionsBefore& motions);
 
 }  // namespace griffith

@@ -156,6 +156,8 @@ void Trial::add_elements(const Body& body, const std::vector<int>& local, const 
   const double limit =
       body.tets.size() < kUnrelieved ? std::numeric_limits<double>::infinity() : highest_frequency(world_, body);
   explicit_bodies_.add_body(law, material.density, tets, rest_elements, offsets, limit, edges);
+  if (!edges.empty() && !world_.elements.point_strains.empty())
+    explicit_bodies_.set_corner_offsets(turned_strains(world_.elements, body.tets, turn));
   explicit_bodies_.set_strength_surface(material);
   const int first = explicit_bodies_.slot(explicit_bodies_.body_count() - 1, 0);
   parts_.tets.resize(first);

@@ -42,18 +42,21 @@ void TrialLoads::find_state(int slot) {
   if (is_known_[slot]) return;
   is_known_[slot] = true;
   const TetId tet = parts_.tets[slot];
-  const ElasticLaw law = elastic_law(world_.material_of(world_.bodies[world_.elements.bodies[tet]]));
+  const Material& material = world_.material_of(world_.bodies[world_.elements.bodies[tet]]);
+  const ElasticLaw law = elastic_law(material);
   const Corners corners = this->corners(slot);
-  Mat3 permanent = world_.elements.stress_free_strain(tet);
   if (world_.tet_edges->is_quadratic(tet)) {
     EdgeVectors offsets;
     for (int i = 0; i < 6; ++i) offsets.col(i) = explicit_bodies_.edge_offset(parts_.edges[slot][i]);
-    const QuadraticStates found = quadratic_states(law, rest_elements_[slot], corners, offsets, permanent);
+    const QuadraticStates found =
+        quadratic_states(law, rest_elements_[slot], corners, offsets, world_.elements.corner_stress_free_strains(tet),
+                         plastic_law(material));
     states_[slot] = found.mean;
     quadratic_states_[slot] = found.state;
     return;
   }
   const ElementDeformation deformation = element_deformation(law.model, rest_elements_[slot], corners);
+  Mat3 permanent = world_.elements.stress_free_strain(tet);
   if (explicit_bodies_.is_relieved(slot)) {
     const Mat3& turn = parts_.turns[explicit_bodies_.body_of_slot(slot)];
     const Mat3 turned = turn * deformation.strain * turn.transpose();

@@ -17,6 +17,7 @@
 #include "sim/world/motion/turning.h"
 #include "sim/world/regime/regime_change.h"
 #include "sim/world/state/element_states.h"
+#include "sim/world/state/quadratic_states.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {
@@ -146,15 +147,18 @@ namespace {
 void update_quadratic_elements(WorldState& world, const Body& body) {
   ElementArrays& elements = world.elements;
   const ElasticLaw law = effective_elastic_law(world, body);
+  const std::optional<PlasticLaw> plastic = plastic_law(world.material_of(body));
   const double similarity = body.explicit_state ? body.explicit_state->similarity : 1;
   std::vector<ElementState>& states = elements.states.edit();
   std::vector<QuadraticState>& quadratic = elements.quadratic_states.edit();
   std::vector<Mat3>& stresses = elements.stresses.edit();
   parallel_for(static_cast<int>(body.tets.size()), 512, [&](int begin, int end) {
     for (const TetId tet : std::span(body.tets).subspan(begin, end - begin)) {
-      const QuadraticStates found =
-          quadratic_states(law, elements.rest_elements[tet], corners_of(world.mesh, tet, world.nodes.positions),
-                           edges_of(world.tet_edges, tet, world.edges.offsets), elements.stress_free_strain(tet));
+      if (plastic) {
+        CornerTensors& strains = elements.point_strains[tet];
+        strains = flow(*plastic, corner_strains_at(world, law.model, tet), strains);
+      }
+      const QuadraticStates found = quadratic_states_at(world, law, plastic, tet);
       states[tet] = found.mean;
       states[tet].energy_density *= similarity;
       quadratic[tet] = found.state;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "sim/core/parallel.h"
+#include "sim/elasticity/plasticity.h"
 #include "sim/solver/static_solve.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/energy/energy_phase.h"
@@ -15,18 +17,62 @@
 namespace griffith {
 namespace {
 
+/// Flow of a body from the plastic strains of the world, which stay those of the start until the solve has ended. What
+/// the stress derives from is the elastic energy plus the work at the yield strength (Simo & Hughes 1998).
+class TrialFlow {
+ public:
+  TrialFlow(const WorldState& world, const Body& body)
+      : elements_(world.elements),
+        plastic_(plastic_law(world.material_of(body))),
+        shear_modulus_(griffith::shear_modulus(world.material_of(body))) {}
+
+  const std::optional<PlasticLaw>& law() const { return plastic_; }
+  /// Returns the stress-free strain of a linear tet, and sets the work [J/m³].
+  Mat3 of_tet(TetId tet, const ElementDeformation& deformation, double& work) const {
+    const Mat3 before = elements_.plastic_strain(tet);
+    const Mat3 after = plastic_ ? flow(*plastic_, deformation, before) : before;
+    work = plastic_ ? yield_work(*plastic_, shear_modulus_, after - before) : 0;
+    return after;
+  }
+  /// Returns those of the corners of a quadratic tet, and sets the work [J/m³].
+  CornerTensors of_corners(TetId tet, const CornerStrains& strains, double& work) const {
+    work = 0;
+    CornerTensors free = elements_.corner_stress_free_strains(tet);
+    if (!plastic_) return free;
+    const CornerTensors& before = elements_.point_strains[tet];
+    CornerTensors flowed = flow(*plastic_, strains, before);
+    for (int i = 0; i < 4; ++i) {
+      flowed[i] -= before[i];
+      work += yield_work(*plastic_, shear_modulus_, flowed[i]) / 4;
+    }
+    const CornerTensors added = at_corners(flowed);
+    for (int v = 0; v < 4; ++v) free[v] += added[v];
+    return free;
+  }
+
+ private:
+  const ElementArrays& elements_;
+  std::optional<PlasticLaw> plastic_;
+  double shear_modulus_;
+};
+
 /// Adds a quadratic body's edges to a problem, which sets their offsets in the world.
 void add_edges(WorldState& world, const Body& body, std::span<const Vec3> loads, StaticProblem& problem) {
   std::vector<QuadraticState>& quadratic = world.elements.quadratic_states.edit();
   problem.edges.emplace(StaticEdges{world.tet_edges, world.edges.offsets, quadratic, loads});
-  problem.evaluate = [&world, &body, &quadratic, law = problem.law](std::span<const Vec3> positions,
-                                                                    std::span<ElementState> states) {
+  problem.evaluate = [&world, &body, &quadratic, law = problem.law, flow = TrialFlow(world, body)](
+                         std::span<const Vec3> positions, std::span<ElementState> states) {
     parallel_for(static_cast<int>(body.tets.size()), 512, [&](int begin, int end) {
       for (const TetId tet : std::span(body.tets).subspan(begin, end - begin)) {
-        const QuadraticStates found =
-            quadratic_states(law, world.elements.rest_elements[tet], corners_of(world.mesh, tet, positions),
-                             edges_of(world.tet_edges, tet, world.edges.offsets), world.elements.plastic_strain(tet));
+        const RestElement& rest = world.elements.rest_elements[tet];
+        const Corners corners = corners_of(world.mesh, tet, positions);
+        const EdgeVectors offsets = edges_of(world.tet_edges, tet, world.edges.offsets);
+        const CornerStrains strains = flow.law() ? corner_strains(law.model, rest, corners, offsets) : CornerStrains();
+        double work;
+        const CornerTensors free = flow.of_corners(tet, strains, work);
+        const QuadraticStates found = quadratic_states(law, rest, corners, offsets, free, flow.law());
         states[tet] = found.mean;
+        states[tet].energy_density += work;
         quadratic[tet] = found.state;
       }
     });
@@ -36,13 +82,20 @@ void add_edges(WorldState& world, const Body& body, std::span<const Vec3> loads,
 StaticProblem problem_of(WorldState& world, const Body& body, std::span<const NodeConstraint> displacements,
                          const ExternalForces& loads, std::span<const PressedFace> pressed) {
   const ElasticLaw law = elastic_law(world.material_of(body));
-  const auto evaluate = [&world, &body, law](std::span<const Vec3> positions, std::span<ElementState> states) {
+  const auto evaluate = [&world, &body, law, flow = TrialFlow(world, body)](std::span<const Vec3> positions,
+                                                                            std::span<ElementState> states) {
     const PlacedElements placed{law, world.mesh, world.elements.rest_elements, positions};
+    std::vector<double> works(world.elements.states.size());
     parallel_for(static_cast<int>(body.tets.size()), 1024, [&](int begin, int end) {
       find_states(
           placed, std::span(body.tets).subspan(begin, end - begin),
-          [&](TetId tet, const FourDeformations&, int) { return world.elements.plastic_strain(tet); },
-          [&](TetId tet, const FourStates& found, int lane) { states[tet] = found.of(lane); });
+          [&](TetId tet, const FourDeformations& deformations, int lane) {
+            return flow.of_tet(tet, deformations.of(lane), works[tet]);
+          },
+          [&](TetId tet, const FourStates& found, int lane) {
+            states[tet] = found.of(lane);
+            states[tet].energy_density += works[tet];
+          });
     });
   };
   StaticProblem problem{world.mesh,  body.tets, world.elements.rest_elements, law, world.nodes.masses, displacements,
@@ -56,9 +109,11 @@ StaticProblem problem_of(WorldState& world, const Body& body, std::span<const No
   return problem;
 }
 
-/// Returns false if the solve did not converge.
+/// Returns false if the solve did not converge. The tangent is elastic, so where a body yields each step takes a part
+/// of the imbalance only.
 bool settle(WorldState& world, Body& body, const StaticProblem& problem, const Monitor& monitor) {
   StaticSettings settings;
+  if (world.material_of(body).yield_strength) settings.relative_residual = 1e-6, settings.max_newton_steps = 500;
   settings.cancelled = monitor.cancelled;
   const StaticReport report = solve_static(problem, settings, world.nodes.positions, world.elements.states.edit());
   if (monitor.is_cancelled()) throw Cancelled();
@@ -174,6 +229,7 @@ void find_equilibrium(WorldState& world, double time, double displacement_time,
     }
     grounded.leave_reactions(world);
     if (has_run_away(world, body, before)) put_back(world, body, before);
+    if (world.material_of(body).yield_strength) update_elements(world, body);
     world.energy += spent_in_equilibrium(world, body, before, stresses, displacement_time);
     freeze_if_broken_down(world, body);
   }

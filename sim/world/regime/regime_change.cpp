@@ -101,8 +101,7 @@ void freeze_if_broken_down(WorldState& world, Body& body) {
   for (EdgeId edge : body.edges)
     if (!(world.edges.velocities[edge].setZero(), world.edges.offsets[edge].allFinite()))
       world.edges.offsets[edge].setZero();
-  for (TetId tet : body.tets)
-    if (!world.elements.plastic_strain(tet).allFinite()) world.elements.plastic_strains[tet].setZero();
+  for (TetId tet : body.tets) world.elements.remove_undefined_strains(tet);
   freeze(world, body);
 }
 

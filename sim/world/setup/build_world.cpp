@@ -17,7 +17,7 @@
 #include "sim/world/motion/equilibrium.h"
 #include "sim/world/motion/explicit_integration.h"
 #include "sim/world/output/publish.h"
-#include "sim/world/setup/check_elements.h"
+#include "sim/world/setup/choose_elements.h"
 #include "sim/world/setup/place_splinters.h"
 #include "sim/world/setup/residual_strains.h"
 #include "sim/world/setup/shape_mesh.h"
@@ -224,6 +224,14 @@ void require_no_crowd(const WorldState& world) {
         throw InputError("#/bodies", "stand inside one another in more than a million pairs", "move them apart");
 }
 
+void allow_flow_of(const Model& model, WorldState& world) {
+  for (std::size_t i = 0; i < world.materials.size(); ++i) {
+    if (!world.materials[i].yield_strength) continue;
+    model.element_choices[i].order == ElementOrder::quadratic ? world.elements.allow_point_strains()
+                                                              : world.elements.allow_strains();
+  }
+}
+
 void add_scene_bodies(Model& model, WorldState& world, const InMemoryMeshes& given, const Monitor& monitor) {
   ShapeMeshes shapes(given);
   std::vector<Pieces> pieces;
@@ -237,6 +245,7 @@ void add_scene_bodies(Model& model, WorldState& world, const InMemoryMeshes& giv
     world.tet_edges.edit().of_tet.resize(world.mesh->tets.size());
     world.elements.quadratic_states.edit().resize(world.mesh->tets.size());
   }
+  allow_flow_of(model, world);
   close_splinters(model);
   world.splinter_state = intact_state(model.splinters);
   update_supports(world, world.time, world.model->scene.simulation.time_step);
@@ -249,6 +258,8 @@ void add_scene_bodies(Model& model, WorldState& world, const InMemoryMeshes& giv
 }
 
 }  // namespace
+
+void allow_flow(WorldState& world) { allow_flow_of(*world.model, world); }
 
 double node_mass(const WorldState& world, NodeId node) {
   double mass = 0;
@@ -273,7 +284,7 @@ double edge_mass(const WorldState& world, EdgeId edge) {
 WorldState build_world(const Scene& scene, const Monitor& monitor, const InMemoryMeshes& given) {
   check_probes(scene);
   for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i)
-    check_elements(scene, i, scene.bodies[i].elements, scene.bodies[i].material);
+    check_residual_stress(scene, i, scene.bodies[i].material);
   const auto model = std::make_shared<Model>();
   model->scene = scene;
   WorldState world(model);
@@ -289,8 +300,6 @@ WorldState build_world(const Scene& scene, const Monitor& monitor, const InMemor
     model->extents[body.scene_body] = std::max(model->extents[body.scene_body], body.extent);
   queue_bursts(world);
   for (int i = 0; i < static_cast<int>(world.materials.size()); ++i) check_substep_count(world, i, world.materials[i]);
-  const auto yields = [](const Material& material) { return material.yield_strength.has_value(); };
-  if (std::ranges::any_of(world.materials, yields)) world.elements.allow_strains();
   for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) set_residual_strains(world, i, world.elements);
   if (monitor.is_cancelled()) throw Cancelled();
   monitor.enter("Finding the start");

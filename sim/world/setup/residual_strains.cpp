@@ -92,8 +92,16 @@ void set_residual_strains(const WorldState& world, int scene_body, ElementArrays
   for (std::size_t i = 0; i < tets.size(); ++i) elements.plastic_strains[tets[i]] = strains[i];
 }
 
+void check_residual_stress(const Scene& scene, int scene_body, const Material& material) {
+  if (scene.bodies[scene_body].residual_stress && material.yield_strength)
+    throw InputError("#/bodies/" + std::to_string(scene_body) + "/residual_stress", "is set for a material that yields",
+                     "remove it or the material's yield_strength");
+}
+
 void reset_residual_strains(const WorldState& world, int scene_body, ElementArrays& elements) {
   const std::optional<ResidualStress>& residual = world.model->scene.bodies[scene_body].residual_stress;
+  if (!elements.point_strains.empty())
+    for (const TetId tet : tets_of(world, scene_body)) elements.point_strains[tet] = at_all_corners(Mat3::Zero());
   if (elements.plastic_strains.empty() || (residual && std::holds_alternative<StrainFile>(*residual))) return;
   for (const TetId tet : tets_of(world, scene_body)) elements.plastic_strains[tet].setZero();
   set_residual_strains(world, scene_body, elements);

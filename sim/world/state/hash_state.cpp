@@ -67,6 +67,7 @@ std::uint64_t hash_of_stresses(const WorldState& world) {
   FieldHash hash;
   hash.add(*elements.stresses).add(zeros.empty() ? elements.plastic_strains : zeros);
   hash.add(zeros.empty() ? elements.similarity_strains : zeros);
+  if (elements.has_flowed_at_points()) hash.add(elements.point_strains);
   return hash.value();
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "sim/core/copy_on_write.h"
@@ -68,6 +69,8 @@ struct EdgeArrays {
 
   /// Makes room for as many edges; new ones are straight, at rest and without mass.
   void resize(std::size_t count);
+  /// Appends an edge of bisected tets.
+  void append_part(const EdgePart& part);
   /// Appends an edge like another one.
   void append_copy(EdgeId original);
   /// Returns the size of the arrays [bytes].
@@ -93,14 +96,26 @@ struct ElementArrays {
   /// Strains without stress; empty until allow_strains(): in most bodies they would all be zero.
   std::vector<Mat3> plastic_strains;     ///< in rest space, traceless [-]
   std::vector<Mat3> similarity_strains;  ///< scaled bodies' strain beside the plastic one [-]
+  /// Plastic strains at the integration points of quadratic tets, beside the one of the whole, in rest space, traceless
+  /// [-]; empty until allow_point_strains().
+  std::vector<CornerTensors> point_strains;
 
   /// Makes room for strains: before a body enters explicit dynamics, or where a material yields.
   void allow_strains();
+  /// Makes room for those of integration points: where a quadratic body yields.
+  void allow_point_strains();
   Mat3 plastic_strain(TetId tet) const { return plastic_strains.empty() ? Mat3(Mat3::Zero()) : plastic_strains[tet]; }
   /// Returns the strain of an element without stress: the plastic strain and that of scaling [-].
   Mat3 stress_free_strain(TetId tet) const {
     return plastic_strains.empty() ? Mat3(Mat3::Zero()) : Mat3(plastic_strains[tet] + similarity_strains[tet]);
   }
+  /// Returns the strains without stress at the corners of a quadratic tet, which is not scaled [-].
+  CornerTensors corner_stress_free_strains(TetId tet) const;
+
+  /// Sets plastic strains that are no numbers to zero.
+  void remove_undefined_strains(TetId tet);
+  /// True if any strain of integration points is not zero.
+  bool has_flowed_at_points() const;
 
   /// Stops sharing with copies what bodies write side by side.
   void own_states() { states.edit(), stresses.edit(), quadratic_states.edit(); }
@@ -108,6 +123,9 @@ struct ElementArrays {
   void resize(std::size_t count);
   /// Appends a tet like another one.
   void append_copy(TetId original);
+  /// Gives the halves of a bisected tet the plastic strains that the field of the whole has in them; `weight`: place of
+  /// the new node on the edge. The child is like the tet.
+  void share_point_strains(const TetBisection& halves, double weight);
   /// Returns the size of the arrays, without those shared with `beside` [bytes].
   std::size_t memory(const ElementArrays* beside = nullptr) const;
 
@@ -119,5 +137,8 @@ struct ElementArrays {
     use(all.opened, OpenedFaces{kNeverOpened, kNeverOpened, kNeverOpened, kNeverOpened});
   }
 };
+
+/// Returns the strains without stress at the corners of quadratic tets, after their rest space has turned [-].
+std::vector<CornerTensors> turned_strains(const ElementArrays& elements, std::span<const TetId> tets, const Mat3& turn);
 
 }  // namespace griffith

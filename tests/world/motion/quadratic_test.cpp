@@ -281,16 +281,6 @@ TEST(QuadraticBody, CopiesAndThreadsGoOnAlike) {
   EXPECT_EQ(hashes[0], hashes[2]);
 }
 
-TEST(QuadraticBody, TellsWhatItCannotDo) {
-  const auto expect_refused = [](const auto& change) {
-    Scene scene = free_strip(0);
-    change(scene);
-    EXPECT_THROW(World world(scene), InputError);
-  };
-  expect_refused([](Scene& scene) { scene.bodies[0].remeshing = true; });
-  expect_refused([](Scene& scene) { scene.bodies[0].material.yield_strength = 1e8; });
-}
-
 /// A force that sets in at once takes a cantilever to about twice its deflection at rest, half a period later: the sum
 /// of (1 − cos ωt) over the first three modes, of .971, .025 and .003 of the deflection.
 TEST(QuadraticBody, SwingsExplicitlyAtEulersFrequency) {
