@@ -89,11 +89,11 @@ TEST(Bisect, TheRecordSaysWhatBecameOfEveryCorner) {
     Subdivision log;
     bisect_edge(body.mesh, a, b, 0.5, log);
     ASSERT_EQ(log.nodes.size(), 1u);
-    for (const auto& [tet, child, kept, moved] : log.tets) {
+    for (const auto& [tet, child, kept, moved, middle] : log.tets) {
       EXPECT_EQ(before.tets[tet][kept], a);
       EXPECT_EQ(before.tets[tet][moved], b);
       auto near_a = before.tets[tet], near_b = before.tets[tet];
-      near_a[moved] = near_b[kept] = log.nodes[0].node;
+      near_a[moved] = near_b[kept] = middle;
       EXPECT_EQ(body.mesh.tets[tet], near_a);
       EXPECT_EQ(body.mesh.tets[child], near_b);
     }

@@ -101,6 +101,8 @@ Scene random_setting(Scene scene, RandomValues& random) {
   body.remeshing = random.index(2) == 0;
   if (random.index(3) == 0) body.supports = {{HalfSpaceRegion{Vec3::Zero(), -Vec3::UnitY()}}};
   if (random.index(6) == 0) scene.analysis = Analysis::static_;
+  if (random.index(2) == 0) body.elements = ElementOrder::quadratic;
+  if (random.index(3) == 0) body.material.yield_strength = 0.5 * body.material.tensile_strength;
   return scene;
 }
 
