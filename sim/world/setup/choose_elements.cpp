@@ -25,8 +25,6 @@ ElementChoice choose_elements(const Scene& scene, int scene_body, const TetMesh&
     choice.reason = "its length is only " + rounded_text(length, 2) + " times its mean thickness";
   } else if (const double speed = bar_wave_speed(body.material); speed < kSoft) {
     choice.reason = "waves cross its soft material at only " + rounded_text(speed, 2) + " m/s";
-  } else if (body.remeshing) {
-    choice.reason += ", but the small ones of remeshing would be slow if quadratic";
   } else {
     choice.order = ElementOrder::quadratic;
   }

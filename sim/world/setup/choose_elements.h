@@ -8,7 +8,7 @@ namespace griffith {
 /// Returns the element order of a scene body with this mesh. ElementOrder::automatic becomes quadratic in a
 /// slender body (slenderness() of 8 or more) with fewer than four elements across its thinnest part: there, linear ones
 /// are too stiff in bending. Bodies of soft materials stay linear, as quadratic elements invert sooner under large
-/// strain, and so do remeshed ones, as small quadratic elements have short microsteps.
+/// strain.
 ElementChoice choose_elements(const Scene& scene, int scene_body, const TetMesh& mesh);
 
 }  // namespace griffith

@@ -14,7 +14,7 @@ struct ElementChoice {
   std::string reason;                         ///< reason of an automatic choice: "1 lies across its thinnest part"
 };
 
-/// Returns a text such as "linear, since remeshing needs them".
+/// Returns a text such as "quadratic, since 1 lies across its thinnest part".
 std::string text_of(const ElementChoice& choice);
 
 }  // namespace griffith

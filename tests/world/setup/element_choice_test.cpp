@@ -31,9 +31,7 @@ TEST(AutomaticElements, AreQuadraticWhereFewLieAcross) {
   EXPECT_EQ(text_of(cube), "linear, since 4 lie across its thinnest part");
   const ElementChoice remeshed =
       choice_of(Vec3(1, 1, 0.02), Vec3(0.1, 0.1, 0.02), [](BodyDescription& body) { body.remeshing = true; });
-  EXPECT_EQ(
-      text_of(remeshed),
-      "linear, since 1 lies across its thinnest part, but the small ones of remeshing would be slow if quadratic");
+  EXPECT_EQ(remeshed.order, ElementOrder::quadratic);
   const ElementChoice steel = choice_of(Vec3(1, 1, 0.02), Vec3(0.1, 0.1, 0.02),
                                         [](BodyDescription& body) { body.material.yield_strength = 1e8; });
   EXPECT_EQ(steel.order, ElementOrder::quadratic);
