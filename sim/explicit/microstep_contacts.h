@@ -47,6 +47,7 @@ class MicrostepContacts {
     Vec3 place, normal;   ///< normal points from the bodies to the other
     Vec3 impulse;         ///< impulse on the bodies [N·s]
     double approach = 0;  ///< speed of approach [m/s]
+    double depth = 0;     ///< overlap before it [m]
   };
 
   /// `surfaces`: per explicit body; `element_size`: mean edge length, which scales the search for overlaps [m].
@@ -102,6 +103,7 @@ class MicrostepContacts {
     Vec3 friction = Vec3::Zero();  ///< its friction, on the bodies [N·s]
     double reverted = 0;           ///< normal impulses times the time of the last motion that they reverted [N·s²]
     double approach = 0;           ///< largest speed of approach [m/s]
+    double deepest = 0;            ///< largest overlap [m]
   };
   /// Touch, and the index of its candidate.
   struct Found {

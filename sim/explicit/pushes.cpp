@@ -82,6 +82,7 @@ bool MicrostepContacts::push(ExplicitBodies& bodies, Touch& touch, double dt) {
   touch.pressure += fraction * change;
   touch.friction += fraction * friction;
   touch.reverted += fraction * time * change;
+  touch.deepest = std::max(touch.deepest, touch.depth);
   touch.depth -= time * speed;
   touch.approach = std::max(touch.approach, speed);
   return true;
@@ -108,7 +109,7 @@ void MicrostepContacts::record_impacts(double min_speed) {
   for (const Touch& touch : touches_)
     if (touch.approach > min_speed && touch.pressure > 0)
       recorded_impacts_.push_back({touch.nodes[0], touch.obstacle, touch.place, touch.normal,
-                                   touch.friction - touch.pressure * touch.normal, touch.approach});
+                                   touch.friction - touch.pressure * touch.normal, touch.approach, touch.deepest});
 }
 
 MicrostepContacts::Pushed& MicrostepContacts::pushed(const ExplicitBodies& bodies, int node) {

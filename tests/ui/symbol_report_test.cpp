@@ -50,8 +50,47 @@ TEST(SymbolReport, ContactsOfARestingBlockCarryItsWeight) {
     EXPECT_THAT(report->sentence, HasSubstr("The ground pushed block, piece 0"));
     EXPECT_EQ(value_of(*report, "Normal"), "0.00, 1.00, 0.00");
     force += number_of(*report, "Normal force", "N");
+    EXPECT_LT(frame.contacts[static_cast<std::size_t>(i)].depth, 1e-4) << "it rests on the ground";
+    EXPECT_NEAR(number_of(*report, "Separation speed", "m/s"), 0, 0.01);
   }
   EXPECT_NEAR(force, 100 * 9.81, 0.02 * 100 * 9.81);
+}
+
+TEST(SymbolReport, ContactsOfWhatStrikesTheGroundTellItsSpeed) {
+  constexpr double kSpeed = 2;
+  for (const Integrator integrator : {Integrator::implicit, Integrator::explicit_}) {
+    Scene scene = resting_block();
+    scene.gravity = Vec3::Zero();
+    scene.bodies[0].position.y() += 0.01;
+    scene.bodies[0].velocity = Vec3(0, -kSpeed, 0);
+    scene.simulation.integrator = integrator;
+    World world(scene);
+    double fastest = 0;
+    for (int step = 0; step < 5; ++step) {
+      world.step();
+      const Frame frame = world.frame();
+      for (int i = 0; i < static_cast<int>(frame.contacts.size()); ++i) {
+        const auto report = symbol_report({SymbolKind::contact, i}, frame, scene, scene.simulation.time_step);
+        ASSERT_TRUE(report);
+        fastest = std::max(fastest, number_of(*report, "Approach speed", "m/s"));
+        EXPECT_GE(frame.contacts[static_cast<std::size_t>(i)].depth, 0);
+      }
+    }
+    EXPECT_NEAR(fastest, kSpeed, 0.1 * kSpeed) << (integrator == Integrator::implicit ? "implicit" : "explicit");
+  }
+}
+
+TEST(SymbolReport, OverlapsAreTold) {
+  const Scene scene = resting_block();
+  World world(scene);
+  for (int step = 0; step < 5; ++step) world.step();
+  Frame frame = world.frame();
+  std::vector<ContactView> contacts(frame.contacts.begin(), frame.contacts.end());
+  contacts.front().depth = 0.0125;
+  frame.contacts = contacts;
+  EXPECT_NEAR(number_of(*symbol_report({SymbolKind::contact, 0}, frame, scene, 0.01), "Overlap", "m"), 0.0125, 1e-6);
+  contacts.front().depth = 0;
+  EXPECT_EQ(value_of(*symbol_report({SymbolKind::contact, 0}, frame, scene, 0.01), "Overlap"), "none");
 }
 
 TEST(SymbolReport, PlanesSayWhatTheEventsSay) {

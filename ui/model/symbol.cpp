@@ -67,6 +67,7 @@ Side side_of(BodyId id, const Vec3& place, const Frame& frame, const Scene& scen
 }
 
 SymbolReport contact_report(ContactView contact, const Frame& frame, const Scene& scene, double duration) {
+  constexpr double kNoise = 1e-9;  // overlaps of touching faces that rounding makes [m]
   if (!contact.a.valid()) {
     std::swap(contact.a, contact.b);
     contact.impulse = -contact.impulse, contact.normal = -contact.normal;
@@ -89,6 +90,8 @@ SymbolReport contact_report(ContactView contact, const Frame& frame, const Scene
                  {"Normal force", format_quantity(along / duration, "N", 3)},
                  {"Friction force", format_quantity(across / duration, "N", 3)},
                  {"Friction / normal", along > 0 ? format_quantity(across / along, "", 3) : std::string("none")},
+                 {"Overlap", contact.depth > kNoise ? format_quantity(contact.depth, "m", 3) : std::string("none")},
+                 {"Approach speed", format_quantity(contact.approach, "m/s", 3)},
                  {"Separation speed", format_quantity(apart, "m/s", 3)},
                  {"Sliding speed", format_quantity(sliding, "m/s", 3)}};
   return report;

@@ -237,8 +237,10 @@ void ExplicitRun::record_contact(const explicit_dynamics::MicrostepContacts::Rec
   const NodeId node = nodes_[impact.node];
   const explicit_dynamics::Obstacle* obstacle =
       impact.obstacle >= 0 ? &contacts_->obstacles()[impact.obstacle] : nullptr;
-  const ContactView contact{body_of(node).id, obstacle ? world_.body_of(obstacle->object) : BodyId(), impact.place,
-                            -impact.normal, impact.impulse};
+  const ContactView contact{body_of(node).id, obstacle ? world_.body_of(obstacle->object) : BodyId(),
+                            impact.place,     -impact.normal,
+                            impact.impulse,   impact.depth,
+                            impact.approach};
   const auto [view, is_new] = contact_views_.try_emplace({node, impact.obstacle}, world_.output.contacts.size());
   if (is_new) {
     world_.output.contacts.push_back(contact);

@@ -48,6 +48,8 @@ struct ContactView {
   Vec3 position = Vec3::Zero();  ///< [m]
   Vec3 normal = Vec3::UnitY();   ///< unit, from b to a
   Vec3 impulse = Vec3::Zero();   ///< on a, over all substeps [N·s]
+  double depth = 0;              ///< deepest overlap there when it acted, >= 0 [m]
+  double approach = 0;           ///< greatest speed at which the gap was closing before an impulse [m/s]
 };
 
 struct ProjectileView {

@@ -107,8 +107,8 @@ std::array<std::int64_t, 3> contact_cell(const WorldState& world, const ContactV
 void add_contacts(const WorldState& world, std::vector<ContactView>& views) {
   for (const Contact& contact : world.contact_world.contacts()) {
     if (contact.impulse.isZero(0)) continue;
-    views.push_back(
-        {world.body_of(contact.a), world.body_of(contact.b), contact.position, contact.normal, contact.impulse});
+    views.push_back({world.body_of(contact.a), world.body_of(contact.b), contact.position, contact.normal,
+                     contact.impulse, std::max(0.0, -contact.distance), contact.approach});
   }
 }
 
@@ -117,6 +117,8 @@ void merge(ContactView& contact, const ContactView& other) {
   contact.position = (weight * contact.position + other_weight * other.position) / sum;
   contact.normal = (weight * contact.normal + other_weight * other.normal).normalized();
   contact.impulse += other.impulse;
+  contact.depth = std::max(contact.depth, other.depth);
+  contact.approach = std::max(contact.approach, other.approach);
 }
 
 std::vector<ContactView> merged_contacts(const WorldState& world, std::span<const ContactView> views) {
