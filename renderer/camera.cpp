@@ -118,6 +118,12 @@ Camera frame_bounds(const Camera& camera, const Eigen::AlignedBox3f& bounds, flo
   return framed;
 }
 
+Camera far_camera(const Camera& camera, const Eigen::Vector3f& toward_eye) {
+  Camera seen{camera.target, camera.target, 2};
+  seen.position += 0.5f * height_at_target(camera) / tangent_of_half_angle(seen) * toward_eye;
+  return seen;
+}
+
 Ray pixel_ray(const Camera& camera, float x, float y, int width, int height) {
   const Axes frame = axes(camera);
   const float per_pixel = 2 * tangent_of_half_angle(camera) / static_cast<float>(height);

@@ -46,6 +46,10 @@ Camera zoom(const Camera& camera, float factor);
 /// in the picture. An empty box changes nothing.
 Camera frame_bounds(const Camera& camera, const Eigen::AlignedBox3f& bounds, float aspect);
 
+/// Returns a camera with the same target and the same height of the view there, whose eye is in the given direction,
+/// of length 1. It is so far away that its picture is nearly a parallel projection.
+Camera far_camera(const Camera& camera, const Eigen::Vector3f& toward_eye);
+
 /// Returns the ray through a point of a width × height image, in pixels from its top left corner (pixel centers at
 /// halves).
 Ray pixel_ray(const Camera& camera, float x, float y, int width, int height);

@@ -3,24 +3,22 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <cmath>
+#include <memory>
 #include <optional>
+#include <vector>
 
-#include "renderer/blend_target.h"
 #include "renderer/embedded_pass.h"
-#include "renderer/glass_target.h"
 #include "renderer/glyph_pass.h"
 #include "renderer/hidden_backs.h"
 #include "renderer/material_table.h"
-#include "renderer/occlusion_map.h"
+#include "renderer/picture_buffers.h"
 #include "renderer/puff_pass.h"
 #include "renderer/shadow_map.h"
 #include "renderer/sphere_pass.h"
 #include "renderer/stroke_pass.h"
 #include "renderer/surface_pass.h"
 #include "renderer/surroundings.h"
-#include "renderer/target.h"
 #include "renderer/view.h"
 
 namespace griffith::render {
@@ -29,7 +27,9 @@ namespace {
 /// Returns the focus of the picture: the scene without objects far from the target.
 Focus focus_of(const Eigen::AlignedBox3f& box, const Camera& camera) {
   constexpr float kSmallest = 1e-3f, kLargest = 2.3f;  // [m], and in distances to the target
-  const float limit = kLargest * (camera.position - camera.target).norm();
+  constexpr float kLongLens = 12;                      // heights of the picture; what it shows is nearer to the target
+  const float distance = std::min((camera.position - camera.target).norm(), kLongLens * height_at_target(camera));
+  const float limit = kLargest * distance;
   const Eigen::Vector3f reach = Eigen::Vector3f::Constant(limit);
   const Eigen::AlignedBox3f near = box.intersection({camera.target - reach, camera.target + reach});
   if (near.isEmpty()) return {camera.target, limit};
@@ -181,15 +181,12 @@ struct Renderer::Passes {
   GlyphPass glyphs;
   StrokePass strokes;
   GroundPass ground;
-  Target target{1, 1};
-  std::unique_ptr<OcclusionMap> occlusion;  // null until there is occlusion
-  std::unique_ptr<BlendTarget> blend;       // for the target; null until something is transparent
-  std::unique_ptr<GlassTarget> glass;       // for the target; null until a material is transparent
-  HiddenBacks hidden;                       // from the eye
-  Mat4 world_from_clip;                     // inverse of the picture's projection
-  int requested_samples = 1;                // target.samples() may be fewer
+  HiddenBacks hidden;    // from the eye
+  Mat4 world_from_clip;  // inverse of the picture's projection
+  std::vector<std::unique_ptr<PictureBuffers>> pictures;
+  PictureBuffers* picture = nullptr;  // the one being drawn
 
-  void resize(const RenderOptions& options);
+  void begin_picture(std::size_t index, const RenderOptions& options);
   void upload(const DrawScene& scene, float pixel_scale);
   void draw_surfaces(const DrawScene& scene, const RenderOptions& options, Output output, DrawnPart part) const;
   void add_up_glass(const DrawScene& scene, const RenderOptions& options);
@@ -204,22 +201,17 @@ struct Renderer::Passes {
   void draw_picture(const DrawScene& scene, const Camera& camera, const Focus& focus, const RenderOptions& options);
 };
 
-void Renderer::Passes::resize(const RenderOptions& options) {
-  assert(options.width > 0 && options.height > 0 && options.samples > 0);
-  if (target.width() == options.width && target.height() == options.height && requested_samples == options.samples) {
-    return;
-  }
-  blend.reset();
-  glass.reset();
-  target = Target(options.width, options.height, options.samples);
-  requested_samples = options.samples;
+void Renderer::Passes::begin_picture(std::size_t index, const RenderOptions& options) {
+  while (pictures.size() <= index) pictures.push_back(std::make_unique<PictureBuffers>());
+  picture = pictures[index].get();
+  picture->resize(options);
+  materials.bind();
 }
 
 void Renderer::Passes::upload(const DrawScene& scene, float pixel_scale) {
   surface.upload(scene.surface);
   embedded.upload(scene.embedded);
   materials.upload(scene.embedded.materials);
-  materials.bind();
   spheres.upload(scene.spheres);
   crumbs.upload(scene.crumbs);
   puffs.upload(scene.puffs);
@@ -277,14 +269,14 @@ void Renderer::Passes::draw_occlusion_map(const DrawScene& scene, const Camera& 
   constexpr float kReach = 0.15f;  // [radii of the focus]
   const Effects effects = effects_of(options.quality);
   if (effects.occlusion_samples == 0) return;
-  const int width = (target.width() + effects.occlusion_fraction - 1) / effects.occlusion_fraction;
-  const int height = (target.height() + effects.occlusion_fraction - 1) / effects.occlusion_fraction;
-  if (!occlusion || occlusion->width() != width || occlusion->height() != height)
-    occlusion = std::make_unique<OcclusionMap>(width, height);
-  occlusion->begin();
+  const int width = (picture->target.width() + effects.occlusion_fraction - 1) / effects.occlusion_fraction;
+  const int height = (picture->target.height() + effects.occlusion_fraction - 1) / effects.occlusion_fraction;
+  if (!picture->occlusion || picture->occlusion->width() != width || picture->occlusion->height() != height)
+    picture->occlusion = std::make_unique<OcclusionMap>(width, height);
+  picture->occlusion->begin();
   draw_depths(scene, options, hidden);
   draw_ground(scene, camera, focus, Light::plain);
-  occlusion->finish(view_projection, kReach * focus.radius, effects.occlusion_samples);
+  picture->occlusion->finish(view_projection, kReach * focus.radius, effects.occlusion_samples);
 }
 
 void Renderer::Passes::draw_surfaces(const DrawScene& scene, const RenderOptions& options, Output output,
@@ -302,8 +294,8 @@ void Renderer::Passes::draw_surfaces(const DrawScene& scene, const RenderOptions
 void Renderer::Passes::draw_picture(const DrawScene& scene, const Camera& camera, const Focus& focus,
                                     const RenderOptions& options) {
   const bool see_through = scene.surface.opacity < 1, clear = has_glass(scene, options);
-  target.bind();
-  target.clear(scene.background.bottom);
+  picture->target.bind();
+  picture->target.clear(scene.background.bottom);
   shadow_map.bind();
   clear_shadow_map.bind_clear();
   background.draw(scene.background, world_from_clip, light_of(options.quality));
@@ -319,41 +311,50 @@ void Renderer::Passes::draw_picture(const DrawScene& scene, const Camera& camera
   if (see_through || clear || glyphs.has_transparent()) {
     draw_transparent(scene, options);
   } else {
-    target.resolve();
+    picture->target.resolve();
   }
 }
 
 void Renderer::Passes::add_up_glass(const DrawScene& scene, const RenderOptions& options) {
-  if (!glass) glass = std::make_unique<GlassTarget>(target);
-  glass->begin(world_from_clip);
+  if (!picture->glass) picture->glass = std::make_unique<GlassTarget>(picture->target);
+  picture->glass->begin(world_from_clip);
   draw_surfaces(scene, options, Output::glass, DrawnPart::clear);
-  glass->end();
+  picture->glass->end();
 }
 
 void Renderer::Passes::draw_transparent(const DrawScene& scene, const RenderOptions& options) {
   const bool see_through = scene.surface.opacity < 1, clear = has_glass(scene, options);
-  if (!blend) blend = std::make_unique<BlendTarget>(target);
-  blend->begin();
+  if (!picture->blend) picture->blend = std::make_unique<BlendTarget>(picture->target);
+  picture->blend->begin();
   if (see_through) draw_surfaces(scene, options, Output::transparent, DrawnPart::unselected);
   glyphs.draw(Output::transparent);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   if (clear) add_up_glass(scene, options);
   if (see_through || clear) {  // transparent objects can be picked
-    target.bind();
+    picture->target.bind();
     glColorMaski(0, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     draw_surfaces(scene, options, Output::opaque, clear ? DrawnPart::clear : DrawnPart::unselected);
     glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   }
-  target.resolve();
-  blend->end();
-  if (clear) glass->blend();
+  picture->target.resolve();
+  picture->blend->end();
+  if (clear) picture->glass->blend();
 }
 
-Renderer::Renderer() : passes_(std::make_unique<Passes>()) {}
+Renderer::Renderer() : passes_(std::make_unique<Passes>()) {
+  passes_->pictures.push_back(std::make_unique<PictureBuffers>());
+}
 Renderer::~Renderer() = default;
 
 void Renderer::render(const DrawScene& scene, const Camera& camera, const RenderOptions& options) {
+  upload(scene, options.pixel_scale);
+  draw(scene, camera, options);
+}
+
+void Renderer::upload(const DrawScene& scene, float pixel_scale) { passes_->upload(scene, pixel_scale); }
+
+void Renderer::draw(const DrawScene& scene, const Camera& camera, const RenderOptions& options, std::size_t picture) {
   const BoundFramebuffer previous;
   const Eigen::AlignedBox3f box = bounds(scene);
   const Focus focus = focus_of(box, camera);
@@ -361,11 +362,10 @@ void Renderer::render(const DrawScene& scene, const Camera& camera, const Render
   ViewBlock shadow_view = ShadowMap::view(focus, texels);
   shadow_view.visible = visible_plane(scene, focus.radius);
   set_state();
-  passes_->resize(options);
-  passes_->upload(scene, options.pixel_scale);
+  passes_->begin_picture(picture, options);
   passes_->hidden = hidden_backs_from(scene, has_glass(scene, options), camera.position);
   passes_->draw_shadow_maps(scene, shadow_view, options, texels);
-  ViewBlock view = picture_view(camera, visible_box(scene, focus, box), passes_->target, options, shadow_view,
+  ViewBlock view = picture_view(camera, visible_box(scene, focus, box), passes_->picture->target, options, shadow_view,
                                 effects_of(options.quality));
   view.effects.z() = has_glass(scene, options) ? 1.0f : 0.0f;
   view.effects.w() = scene.environment.kind == Environment::Kind::sky ? 1.0f : 0.0f;
@@ -376,12 +376,16 @@ void Renderer::render(const DrawScene& scene, const Camera& camera, const Render
   passes_->draw_picture(scene, camera, focus, options);
 }
 
-unsigned Renderer::color_texture() const { return passes_->target.color_texture(); }
+unsigned Renderer::color_texture(std::size_t picture) const {
+  return passes_->pictures.at(picture)->target.color_texture();
+}
 
-Image Renderer::image() const { return passes_->target.image(); }
+Image Renderer::image(std::size_t picture) const { return passes_->pictures.at(picture)->target.image(); }
 
-IdImage Renderer::ids() const { return passes_->target.ids(); }
+IdImage Renderer::ids() const { return passes_->pictures.front()->target.ids(); }
 
-std::int32_t Renderer::id_at(int x, int y) const { return passes_->target.id_at(x, y); }
+std::int32_t Renderer::id_at(int x, int y, std::size_t picture) const {
+  return passes_->pictures.at(picture)->target.id_at(x, y);
+}
 
 }  // namespace griffith::render

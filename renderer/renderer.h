@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -35,8 +36,9 @@ struct RenderOptions {
   float pixel_scale = 1;       ///< factor on the widths of edges and lines and the diameters of points
 };
 
-/// Draws a DrawScene into its own target. Construct and use it while one OpenGL 3.3 core context (or newer) is current.
-/// The same input gives the same bytes. Throws RenderError if the driver rejects a shader.
+/// Draws a DrawScene into its own pictures: usually one, or several by different cameras, which share the scene's
+/// buffers. Construct and use it while one OpenGL 3.3 core context (or newer) is current. The same input gives the same
+/// bytes. Throws RenderError if the driver rejects a shader.
 class Renderer {
  public:
   Renderer();
@@ -44,21 +46,27 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Leaves the framebuffer binding and viewport as they were.
+  /// Uploads the scene and draws picture 0. Leaves the framebuffer binding and viewport as they were.
   void render(const DrawScene& scene, const Camera& camera, const RenderOptions& options = {});
 
-  /// Returns the last picture: a GL_TEXTURE_2D whose first row is the bottom one (ImGui::Image: uv0 = (0, 1), uv1 = (1,
-  /// 0)).
-  unsigned color_texture() const;
+  /// Uploads the scene for draw(). `pixel_scale`: that of the pictures.
+  void upload(const DrawScene& scene, float pixel_scale);
+  /// Draws a picture, numbered from 0, of the scene uploaded last. Leaves the framebuffer binding and viewport as they
+  /// were.
+  void draw(const DrawScene& scene, const Camera& camera, const RenderOptions& options, std::size_t picture = 0);
 
-  /// Reads the last picture back.
-  Image image() const;
+  /// Returns a picture that was drawn, or picture 0: a GL_TEXTURE_2D whose first row is the bottom one (ImGui::Image:
+  /// uv0 = (0, 1), uv1 = (1, 0)).
+  unsigned color_texture(std::size_t picture = 0) const;
 
-  /// Reads the ids of the last picture back.
+  /// Reads a picture that was drawn back.
+  Image image(std::size_t picture = 0) const;
+
+  /// Reads the ids of picture 0 back.
   IdImage ids() const;
 
-  /// Returns the id at a pixel of the last picture, counted from the top left; kNoId for none or outside.
-  std::int32_t id_at(int x, int y) const;
+  /// Returns the id at a pixel of a picture that was drawn, counted from the top left; kNoId for none or outside.
+  std::int32_t id_at(int x, int y, std::size_t picture = 0) const;
 
  private:
   struct Passes;

@@ -136,5 +136,19 @@ TEST(Camera, LooksStraightDown) {
   EXPECT_GT((rotation * Vector3f(0, 0, -1)).y(), 0.99f);  // -Z is up in the picture
 }
 
+TEST_F(CameraLaws, AFarCameraShowsTheSameHeightByNearlyParallelRays) {
+  for (int trial = 0; trial < 200; ++trial) {
+    const Camera from = camera();
+    const Vector3f toward = place(1).normalized();
+    const Camera far = far_camera(from, toward);
+    const float height = height_at_target(from);
+    EXPECT_EQ(far.target, from.target);
+    EXPECT_NEAR(height_at_target(far), height, 1e-3f * height);
+    EXPECT_TRUE((far.position - far.target).normalized().isApprox(toward, 1e-4f));
+    EXPECT_LT(pixel_ray(far, 0, 0, 640, 480).direction.cross(pixel_ray(far, 640, 480, 640, 480).direction).norm(),
+              0.06f);
+  }
+}
+
 }  // namespace
 }  // namespace griffith::render

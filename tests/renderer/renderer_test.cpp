@@ -63,6 +63,26 @@ TEST_F(RendererTest, SameSceneTwiceGivesTheSameBytes) {
   }
 }
 
+TEST_F(RendererTest, PicturesOfOneUploadAreThoseOfTheirCameras) {
+  const DrawScene scene = wall_scene();
+  RenderOptions how = options();
+  how.quality = Quality::standard;
+  RenderOptions smaller = how;
+  smaller.width = kWidth / 2;
+  const Camera cameras[] = {camera(), orbit(camera(), 0.7f, 0.2f), far_camera(camera(), Vector3f::UnitY())};
+  std::vector<Image> alone;
+  for (const Camera& from : cameras) {
+    Renderer renderer;
+    renderer.render(scene, from, from.vertical_fov < 5 ? smaller : how);
+    alone.push_back(renderer.image());
+  }
+  Renderer renderer;
+  renderer.upload(scene, how.pixel_scale);
+  for (const std::size_t i : {2, 0, 1})
+    renderer.draw(scene, cameras[i], cameras[i].vertical_fov < 5 ? smaller : how, i);
+  for (const std::size_t i : {0, 1, 2}) EXPECT_EQ(renderer.image(i), alone[i]) << i;
+}
+
 TEST_F(RendererTest, IdsAreThoseOfWhatIsSeen) {
   for (const int samples : {1, 4}) {
     RenderOptions how = options();
