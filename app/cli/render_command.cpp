@@ -53,7 +53,7 @@ void list_views() {
   for (const ViewLayerInfo& layer : view_layers()) text.append(" ").append(layer.key);
   text += "\nstyles:";
   for (const std::string_view style : element_style_names()) text.append(" ").append(style);
-  print("%s exploded slice unlit\n", text.c_str());
+  print("%s exploded slice unlit deformed=400\n", text.c_str());
 }
 
 /// Parses "1280x720". Returns an error text for CLI11, or an empty one.
@@ -232,7 +232,8 @@ void add_what(CLI::App& command, RenderOptions& options) {
   command
       .add_option(
           "--view", options.job.views,
-          "View: a quantity to color by, a layer, wireframe, shrunken, exploded, slice or unlit; several joined by +, "
+          "View: a quantity to color by, a layer, wireframe, shrunken, exploded, slice, unlit or deformed=400; several "
+          "joined by +, "
           "such as utilization+fracture_planes+slice. Default: the scene's view. May be repeated for several pictures")
       ->take_all()
       ->allow_extra_args(false)

@@ -1,7 +1,9 @@
 #include "app/picture/named_view.h"
 
 #include <algorithm>
+#include <charconv>
 #include <sstream>
+#include <string_view>
 
 #include "app/picture/bounds_of.h"
 #include "sim/core/error.h"
@@ -35,6 +37,21 @@ bool use_style(ViewSettings& view, const std::string& name) {
   return true;
 }
 
+/// Takes "deformed=400", a magnification of the deformation.
+bool use_deformation(ViewSettings& view, std::string_view name) {
+  constexpr std::string_view kName = "deformed=";
+  constexpr double kLargest = 1e6;
+  if (!name.starts_with(kName)) return false;
+  name.remove_prefix(kName.size());
+  double scale = -1;
+  const auto [end, error] = std::from_chars(name.begin(), name.end(), scale);
+  if (error != std::errc() || end != name.end() || !(scale >= 0 && scale <= kLargest))
+    throw InputError("--view", "\"deformed=" + std::string(name) + "\" has no magnification",
+                     "write a number from 0 to 1e6: deformed=400");
+  view.deformation_scale = scale;
+  return true;
+}
+
 SlicePlane slice_through(const Frame& frame, const Vec3& toward_eye) {
   Eigen::AlignedBox3d box = bounds_of(frame);
   if (box.isEmpty()) box.extend(Vec3(Vec3::Zero()));
@@ -46,7 +63,7 @@ std::string all_names() {
   for (const Quantity* quantity : view_quantities()) names.append(quantity->key).append(", ");
   for (const ViewLayerInfo& layer : view_layers()) names.append(layer.key).append(", ");
   for (const std::string_view style : element_style_names()) names.append(style).append(", ");
-  return names + "exploded, slice, unlit";
+  return names + "exploded, slice, unlit, deformed=400";
 }
 
 }  // namespace
@@ -65,7 +82,7 @@ void use_named_view(ViewSettings& view, const std::string& names, const Frame& f
       view.shading = false;
     } else if (name == "slice") {
       view.slice = slice_through(frame, toward_eye);
-    } else if (!use_style(view, name)) {
+    } else if (!use_deformation(view, name) && !use_style(view, name)) {
       throw InputError("--view", "there is no view \"" + name + "\"", "join any of these with +: " + all_names());
     }
   }

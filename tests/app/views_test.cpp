@@ -150,6 +150,17 @@ TEST_F(ViewsTest, EveryQuantityAndStyleGivesAPictureOfItsOwn) {
     }
 }
 
+TEST_F(ViewsTest, TheDeformationIsMagnifiedAsTheNameSays) {
+  ViewSettings view;
+  use_named_view(view, "von_mises+deformed=250", struck_->frame(), Vec3::UnitZ());
+  EXPECT_EQ(view.deformation_scale, 250);
+  EXPECT_EQ(view.quantity, "von_mises");
+  EXPECT_EQ(picture(*struck_, "deformed=1"), picture(*struck_, "von_mises"));
+  EXPECT_FALSE(picture(*struck_, "deformed=1000") == picture(*struck_, "von_mises"));
+  for (const char* wrong : {"deformed=", "deformed=x", "deformed=-1", "deformed=1e9", "deformed=2 "})
+    EXPECT_THROW(use_named_view(view, wrong, struck_->frame(), Vec3::UnitZ()), InputError) << wrong;
+}
+
 TEST_F(ViewsTest, NothingOfAViewInfluencesAnother) {
   const render::Image before = picture(*struck_, "utilization");
   for (const ViewLayerInfo& layer : view_layers()) picture(*struck_, std::string(layer.key) + "+slice");
