@@ -42,6 +42,25 @@ std::vector<BodyDescription> brick_wall() {
   return {wall};
 }
 
+std::vector<BodyDescription> vase(const std::filesystem::path& surface) {
+  SurfaceShape shape;
+  shape.path = surface;
+  shape.meshing.element_size = 0.15;
+  shape.meshing.radius_edge_ratio = 4;
+  shape.meshing.min_dihedral_angle = 0;
+  BodyDescription body;
+  body.name = "vase";
+  body.shape = shape;
+  body.elements = ElementOrder::quadratic;
+  // As in scenes/vase_shot.json.
+  if (const std::optional<Material> preset = find_material_preset("porcelain")) body.material = *preset;
+  body.material.young_modulus = 2e10;
+  body.material.density = 2000;
+  body.material.tensile_strength = 1.2e7;
+  body.material.fracture_toughness = 6e5;
+  return {body};
+}
+
 std::vector<BodyDescription> placed(std::vector<BodyDescription> bodies, const Scene& scene, const Frame& frame) {
   constexpr double kRoom = 0.1;
   Eigen::AlignedBox3d box;

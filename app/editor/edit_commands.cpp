@@ -88,6 +88,21 @@ void add_preset(Editor& e, const ui::Command& command, std::vector<BodyDescripti
              placed(std::move(bodies), e.document().scene(), e.run().frame()));
 }
 
+/// Adds the vase of the sample scenes, whose surface is a file next to them.
+void add_vase(Editor& e, const ui::Command& command) {
+  namespace fs = std::filesystem;
+  const std::vector<fs::path>& files = e.scenes().files();
+  const auto sample =
+      std::ranges::find_if(files, [](const fs::path& file) { return file.filename() == "vase_shot.json"; });
+  if (sample == files.end())
+    throw InputError("the vase", "is not there: no folder scenes with vase_shot.json is next to the program",
+                     "start the program in its folder, or add a body from a surface");
+  const fs::path surface = fs::absolute(sample->parent_path() / "meshes/vase.obj").lexically_normal();
+  const fs::path& folder = e.document().scene().folder;
+  add_preset(e, command,
+             vase(folder.empty() ? surface : surface.lexically_proximate(fs::absolute(folder).lexically_normal())));
+}
+
 const EditorCommand kEditCommands[] = {
     {{.name = "edit.undo",
       .label = "Undo",
@@ -242,6 +257,11 @@ const EditorCommand kEditCommands[] = {
       .hint = "Add a table: a glass top of 1.2 x 0.7 m, 10 mm thick, on four wooden legs",
       .menu = Menu::add},
      [](Editor& e, const ui::Command& c) { add_preset(e, c, table()); }},
+    {{.name = "add.vase",
+      .label = "Vase",
+      .hint = "Add a vase of earthenware: 0.5 m high, its wall 30 mm thick",
+      .menu = Menu::add},
+     add_vase},
     {{.name = "file.add_surface",
       .label = "Add a body from a surface…",
       .hint = "Fill a surface file with tetrahedra and add it to the scene",

@@ -227,6 +227,25 @@ TEST_F(Arrange, ATableStandsWholeAndABrickWallBreaks) {
   EXPECT_GT(editor_.run().frame().fragments, 1);
 }
 
+TEST_F(Arrange, AVaseStandsWholeNextToTheRest) {
+  execute("file.new");
+  execute("add.box");
+  execute("add.vase");
+  ASSERT_EQ(scene().bodies.size(), 2u);
+  EXPECT_EQ(scene().bodies[1].name, "vase");
+  for (int i = 0; i < 20; ++i) editor_.run().step();
+  const Frame frame = editor_.run().frame();
+  EXPECT_EQ(frame.crack_events.size(), 0u);
+  ASSERT_EQ(frame.bodies.size(), 2u);
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = 0; i < frame.elements.tets.size(); ++i)
+    if (frame.bodies[frame.elements.bodies[TetId(static_cast<int>(i))]].scene_body == 1)
+      for (const NodeId node : frame.elements.tets[TetId(static_cast<int>(i))]) box.extend(frame.nodes.positions[node]);
+  EXPECT_NEAR(box.min().y(), 0, 0.01);
+  EXPECT_NEAR(box.max().y(), 0.5, 0.03);
+  EXPECT_GT(box.min().x(), 0.25) << "beside the block";
+}
+
 TEST(StartingScene, IsBrokenWithinASecondInNaturalColors) {
   const Scene scene = starting_scene();
   EXPECT_EQ(scene.view.quantity, "material");
