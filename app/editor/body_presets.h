@@ -15,7 +15,7 @@ namespace griffith::app {
 std::vector<BodyDescription> table();
 /// Returns a wall of bricks in running bond, 2.5 x 2 x 0.25 m, its foot held.
 std::vector<BodyDescription> brick_wall();
-/// Returns a vase of earthenware, 0.5 m high with a wall of 30 mm. `surface`: its file, as written in the scene.
+/// Returns a vase of earthenware, 0.52 m high with a wall of 30 mm. `surface`: its file, as written in the scene.
 std::vector<BodyDescription> vase(const std::filesystem::path& surface);
 
 /// Places bodies on the ground next to all others, or around the origin of an empty scene, under names that are free.

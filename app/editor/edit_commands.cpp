@@ -259,7 +259,7 @@ const EditorCommand kEditCommands[] = {
      [](Editor& e, const ui::Command& c) { add_preset(e, c, table()); }},
     {{.name = "add.vase",
       .label = "Vase",
-      .hint = "Add a vase of earthenware: 0.5 m high, its wall 30 mm thick",
+      .hint = "Add a vase of earthenware: 0.52 m high, its wall 30 mm thick",
       .menu = Menu::add},
      add_vase},
     {{.name = "file.add_surface",

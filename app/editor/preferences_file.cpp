@@ -15,6 +15,17 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+ui::SectionOrder section_order(const Json& json) { return {json.at("left"), json.at("right"), json.at("folded")}; }
+
+Json json_of(const ui::SectionOrder& order) {
+  return {{"left", order.left}, {"right", order.right}, {"folded", order.folded}};
+}
+
+template <class T>
+Json json_of(const T& value) {
+  return value;
+}
+
 /// Reads members from JSON; absent ones keep their values.
 struct PreferenceReader {
   const Json& json;
@@ -43,6 +54,15 @@ struct PreferenceReader {
     if (!good) fail(name, "write " + std::to_string(value.size()) + " names of series; empty for none");
     value = json[name].get<ui::PlotChoice>();
   }
+  void operator()(const char* name, ui::SectionOrder& value) const {
+    if (!json.contains(name)) return;
+    try {
+      value = section_order(json[name]);
+    } catch (const Json::exception&) {
+      fail(name, "write lists \"left\", \"right\" and \"folded\" of sections");
+    }
+    if (!ui::is_complete(value)) fail(name, "name each section on one side");
+  }
 };
 
 }  // namespace
@@ -61,7 +81,8 @@ void PreferencesFile::keep(const ui::Preferences& preferences) {
   if (file_.empty() || preferences == kept_) return;
   kept_ = preferences;
   Json json;
-  ui::each_preference(preferences, [&](const char* name, auto value, auto&&...) { json[name] = value; });
+  ui::each_preference(preferences,
+                      [&](const char* name, const auto& value, auto&&...) { json[name] = json_of(value); });
   std::error_code error;  // if the folder cannot be made, writing reports it
   fs::create_directories(file_.parent_path(), error);
   replace_file(file_, json.dump(2) + "\n");

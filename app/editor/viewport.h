@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <set>
@@ -12,6 +13,7 @@
 #include "app/editor/step_picture.h"
 #include "renderer/camera.h"
 #include "renderer/renderer.h"
+#include "ui/model/four_views.h"
 #include "ui/model/region_outline.h"
 #include "ui/panels/editor_layout.h"
 
@@ -39,7 +41,8 @@ struct AimedShot {
 /// Returns the hidden bodies by index in the scene.
 HiddenBodies hidden_bodies(const ui::EditorState& state, const Scene& scene);
 
-/// Camera and picture of the world, and what is found under the cursor in it. Needs a current OpenGL context.
+/// Camera and pictures of the world, one or four, and what is found under the cursor in them. Points of the viewport
+/// are given from its top left corner, 0..1. Needs a current OpenGL context.
 class Viewport {
  public:
   explicit Viewport(ui::EditorState& state) : state_(state) {}
@@ -47,15 +50,15 @@ class Viewport {
   /// Begins with the first frame of another world.
   void begin(EmbeddedDisplay display);
   /// Lets the color range begin with the next picture.
-  void restart_range() { range_.restart(); }
+  void restart_range() { contents_.front().range.restart(); }
   /// Returns the input for a picture of the step after the shown one.
-  StepPicture next_picture(const Scene& built) const { return {settings(built), display_, range_}; }
+  StepPicture next_picture(const Scene& built) const { return {settings(built, 0), display_, contents_.front().range}; }
   /// Follows a step. `picture`: of that step, which is taken over if it shows the current view.
   void follow_step(const ShownWorld& world, std::optional<StepPicture> picture);
-  /// Makes the picture of the world unless it exists.
-  void update(const ShownWorld& world);
-  /// Draws the picture in the size that the panels left for it. False if it has not changed. `samples`: per pixel;
-  /// those of the quality if absent.
+  /// Makes the content of the camera's picture unless it exists.
+  void update(const ShownWorld& world) { update(world, 0); }
+  /// Draws the pictures that have changed, in the size that the panels left for them. False if that of the camera has
+  /// not. `samples`: per pixel; those of the quality if absent.
   bool draw(const ShownWorld& world, std::optional<int> samples);
 
   /// Looks through a camera of the scene. Throws InputError if there is none of that name.
@@ -75,28 +78,28 @@ class Viewport {
   void toggle_slice(const Frame& frame);
   void toggle_range_lock();
 
-  /// Selects the symbol of a layer, or the element, at a point of the view, from its top left corner, 0..1.
+  /// Selects the symbol of a layer, or the element, at a point of the viewport.
   void pick(const ShownWorld& world, const Vec2& cursor);
-  /// Returns a grab of the material at a point of the view; empty if there is none.
+  /// Returns a grab of the material at a point of the viewport; empty if there is none.
   std::optional<Grab> grabbed_at(const ShownWorld& world, const Vec2& cursor);
-  /// Returns a push of the material at a point of the view along the line of sight; empty if there is none.
+  /// Returns a push of the material at a point of the viewport along the line of sight; empty if there is none.
   std::optional<Push> pushed_at(const ShownWorld& world, const Vec2& cursor) const;
-  /// Returns the target of a grab at `target` after the mouse has come to a point of the view: on a plane parallel to
-  /// the picture.
+  /// Returns the target of a grab at `target` after the mouse has come to a point of the viewport: on a plane parallel
+  /// to the picture in which the piece was grabbed.
   Vec3 dragged_to(const Vec3& target, const Vec2& cursor) const;
-  /// Returns the shot of the projectile tool at a point of the view. `scene`: the edited one.
+  /// Returns the shot of the projectile tool at a point of the viewport. `scene`: the edited one.
   AimedShot aimed_at(const Frame& frame, const Scene& scene, const Vec2& cursor) const;
   /// Returns the flight of the shot being aimed; empty if there is none.
   ui::Aim aim(const Frame& frame, const Scene& scene) const;
 
-  /// Adds camera, picture, legend and labels to the input of the panels.
+  /// Adds the views and what is in them to the input of the panels.
   void describe(ui::EditorInput& input, const Scene& scene);
 
-  /// Returns the last picture as passed to the renderer.
-  const render::DrawScene& picture() const { return picture_; }
-  bool has_legend() const { return !picture_.surface.scalar_style.quantity.empty(); }
+  /// Returns the last picture of the camera as passed to the renderer.
+  const render::DrawScene& picture() const { return contents_.front().picture; }
+  bool has_legend() const { return !picture().surface.scalar_style.quantity.empty(); }
   const EmbeddedDisplay& display() const { return display_; }
-  std::optional<Vec2> range() const { return range_.range(); }
+  std::optional<Vec2> range() const { return contents_.front().range.range(); }
   const render::Camera& camera() const { return camera_; }
   /// Returns the view of the picture: the camera, widened so that a narrow picture shows as much horizontally as a wide
   /// one.
@@ -121,39 +124,73 @@ class Viewport {
     Eigen::Vector3f position = Eigen::Vector3f::Zero(), target = Eigen::Vector3f::Zero();
     bool operator==(const PictureKey&) const = default;
   };
-  PictureSettings settings(const Scene& built) const;
-  ContentKey content_key(const WorldVersion& version) const;
-  PictureKey picture_key(const WorldVersion& version) const;
-  Eigen::Vector2i size() const;
-  float aspect() const;
-  render::Camera picture_camera() const { return render::widen(camera_, aspect()); }
-  /// Draws the current picture in full or draft quality.
-  void render(bool draft, std::optional<int> samples);
-  /// Returns the drawn tet at a point of the view; invalid if there is none.
-  TetId tet_at(const Frame& frame, const Vec2& cursor) const;
-  /// Selects the symbol of a layer that a ray meets first, in front of `tet` if bodies are opaque, with its node or
-  /// element. False if there is none.
-  bool pick_symbol(const ShownMesh& shown, TetId tet, const render::Ray& ray);
+  /// What the views of one quantity show.
+  struct Content {
+    ContentKey made_of;
+    render::DrawScene picture;
+    SteadyRange range;
+    std::int64_t revision = 0;  ///< counts its pictures
+  };
+  /// Content in the renderer's buffers.
+  struct Uploaded {
+    int content = -1;
+    std::int64_t revision = 0;
+    float pixel_scale = 1;
+    bool operator==(const Uploaded&) const = default;
+  };
+
+  /// Returns the index of a view's content: that of the first view with its quantity.
+  int content_of(int view) const {
+    return state_.four_views.quantities[static_cast<std::size_t>(view)].empty() ? 0 : view;
+  }
+  ViewSettings view_settings(int content) const;
+  PictureSettings settings(const Scene& built, int content) const;
+  ContentKey content_key(const WorldVersion& version, int content) const;
+  PictureKey picture_key(const WorldVersion& version, int view) const;
+  void update(const ShownWorld& world, int content);
+
+  /// Size of the viewport, also before it is laid out [pixels].
+  ImVec2 viewport_size() const;
+  Eigen::Vector2i size(int view) const;
+  float aspect(int view) const;
+  /// Returns the camera of a view, and as it is widened for its picture.
+  render::Camera camera_of(int view) const;
+  render::Camera picture_camera(int view) const { return render::widen(camera_of(view), aspect(view)); }
+  /// Draws a view if it has changed. False if it has not. Adds the time of drawing in full to `seconds` if drafts are
+  /// allowed.
+  bool draw_view(const ShownWorld& world, int view, std::optional<int> samples, double& seconds);
+  /// Draws the current content of a view in full or draft quality.
+  void render(int view, bool draft, std::optional<int> samples);
+  ui::ShownView shown_view(int view, const ui::Fonts& fonts);
+
+  ui::ViewPoint point_at(const Vec2& cursor) const { return ui::view_at(state_.four_views, cursor, viewport_size()); }
+  render::Ray ray_at(const ui::ViewPoint& point) const;
+  /// Returns the drawn tet at a point; invalid if there is none.
+  TetId tet_at(const Frame& frame, const ui::ViewPoint& point) const;
+  /// Selects the symbol of a layer that the ray at a point meets first, in front of `tet` if bodies are opaque, with
+  /// its node or element. False if there is none.
+  bool pick_symbol(const ShownMesh& shown, TetId tet, const ui::ViewPoint& point);
   /// Returns the outline of the picked symbol.
   std::vector<ui::RegionLine> symbol_lines(const Frame& frame, const Scene& scene) const;
-  render::Ray ray_at(const Vec2& cursor, int width, int height) const;
   /// Moves the camera along its line of sight and sideways until the picture shows all of the box.
   void look_at(const Eigen::AlignedBox3f& bounds);
+  void move_camera(const ui::CameraMotion& motion);
   void move_slice(const ui::CameraMotion& motion);
-  /// Moves the legend to a free corner, once for each camera, size and view, but not after a step.
+  /// Moves the legend of the camera's picture to a free corner, once for each camera, size and view, but not after a
+  /// step.
   void place_legend(ui::Legend& legend, const ui::Fonts& fonts);
 
   ui::EditorState& state_;
   CopyOnWrite<EmbeddedDisplay> display_;
-  SteadyRange range_;
   render::Camera camera_;
   render::Renderer renderer_;
   DraftQuality draft_;
-  render::DrawScene picture_;
-  ContentKey made_of_;  ///< input of the current picture
-  PictureKey drawn_;
+  std::array<Content, ui::kMaxViews> contents_;  ///< by the first view that shows it
+  std::array<PictureKey, ui::kMaxViews> drawn_;  ///< of each view
+  Uploaded uploaded_;
   PictureKey legend_placed_;  ///< picture for which the legend was placed
   ui::LegendCorner legend_corner_ = {};
+  int grab_view_ = 0;  ///< view in which the piece was grabbed
   Vec3 grab_offset_ =
       Vec3::Zero();        ///< displacement of the grabbed point in the picture, as pieces are moved apart [m]
   bool laid_out_ = false;  ///< the size of the picture is known

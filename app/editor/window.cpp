@@ -224,7 +224,10 @@ ui::Preferences read_preferences(PreferencesFile& file, Editor& editor) {
 void follow_preferences(PreferencesFile& file, Editor& editor, ImGuiContextOwner& imgui, const Window& window) {
   ui::EditorState& state = editor.state();
   const float scale = window.scale() * static_cast<float>(state.preferences.ui_scale);
-  if (imgui.set_scale(scale)) state.left_width = state.right_width = state.log_view.height = 0;
+  if (imgui.set_scale(scale)) {
+    state.left_width = state.right_width = 0;
+    state.plots.height = state.log_view.height = state.problem_view.height = 0;
+  }
   if (ImGui::IsAnyMouseDown()) return;
   try {
     file.keep(state.preferences);

@@ -82,8 +82,8 @@ class EditorTest : public ::testing::Test {
     return widget ? widget->value : "no widget " + tag;
   }
 
-  void press_key(int key, bool ctrl = false, bool shift = false) {
-    ui::press(queue_, {key, ctrl, shift});
+  void press_key(int key, bool ctrl = false, bool shift = false, bool alt = false) {
+    ui::press(queue_, {key, ctrl, shift, alt});
     play();
     draw();
   }

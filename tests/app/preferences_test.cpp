@@ -24,10 +24,17 @@ using ::testing::HasSubstr;
 TEST(Preferences, AreReadAsTheyWereKept) {
   const std::filesystem::path path = emptied_folder() / "config/griffith/preferences.json";
   EXPECT_EQ(PreferencesFile(path).read(), ui::Preferences());
-  ui::Preferences mine{1.5, 30, 2, true, true, 250, 400};
+  ui::Preferences mine;
+  mine.ui_scale = 1.5, mine.autosave_interval = 30, mine.mouse_speed = 2;
+  mine.invert_orbit = mine.invert_zoom = true;
+  mine.left_width = 250, mine.right_width = 400;
   mine.plotted = {"pieces", "", "energy.heat"};
   mine.logarithmic_plots = true;
   mine.past_memory = 2048;
+  mine.show_left = false;
+  mine.log_height = 333;
+  ui::move_section(mine.sections, "inspector", true, "outliner");
+  mine.sections.folded = {"projectile", "view"};
   PreferencesFile(path).keep(mine);
   EXPECT_EQ(PreferencesFile(path).read(), mine);
 }
@@ -37,9 +44,11 @@ TEST(Preferences, AreWrittenOnlyWhereTheyChanged) {
   PreferencesFile file(path);
   file.keep({});
   EXPECT_FALSE(std::filesystem::exists(path));
-  file.keep({.ui_scale = 2});
+  ui::Preferences larger;
+  larger.ui_scale = 2;
+  file.keep(larger);
   std::filesystem::remove(path);
-  file.keep({.ui_scale = 2});
+  file.keep(larger);
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
@@ -54,6 +63,9 @@ TEST(Preferences, DamagedFilesAreReported) {
   EXPECT_THAT(problem_of_preferences("{\"ui_scale\": \"big\"}"), HasSubstr("from 0.75 to 3"));
   EXPECT_THAT(problem_of_preferences("{\"invert_zoom\": 1}"), HasSubstr("true or false"));
   EXPECT_THAT(problem_of_preferences("{\"plotted\": [\"pieces\"]}"), HasSubstr("6 names of series"));
+  EXPECT_THAT(problem_of_preferences("{\"sections\": {\"left\": [\"view\"]}}"), HasSubstr("lists \"left\", \"right\""));
+  EXPECT_THAT(problem_of_preferences(R"({"sections": {"left": ["view"], "right": [], "folded": []}})"),
+              HasSubstr("each section on one side"));
   EXPECT_EQ(problem_of_preferences("{\"of a later version\": 1}"), "no error");
 }
 

@@ -43,7 +43,7 @@ TEST(Commands, EveryShortcutIssuesItsCommandOnce) {
     ui.state.view.range = Vec2(0, 1);
     ui.state.paint_regions = true;
     ui.state.entries = {{EntryKind::body, info.name == "edit.move_up" ? 1 : 0}};
-    ui.press_key(info.shortcut.key, info.shortcut.ctrl, info.shortcut.shift);
+    ui.press_key(info.shortcut.key, info.shortcut.ctrl, info.shortcut.shift, info.shortcut.alt);
     EXPECT_THAT(ui.issued(), ::testing::ElementsAre(info.name)) << info.name;
   }
 }
@@ -155,7 +155,8 @@ TEST(Commands, ShortcutsDoNotReachBehindADialog) {
     ui.history.finish();
     show(ui.state);
     for (const CommandInfo& info : app::command_registry()) {
-      if (info.shortcut.key != key::kNone) ui.press_key(info.shortcut.key, info.shortcut.ctrl, info.shortcut.shift);
+      const Shortcut& shortcut = info.shortcut;
+      if (shortcut.key != key::kNone) ui.press_key(shortcut.key, shortcut.ctrl, shortcut.shift, shortcut.alt);
     }
     std::vector<std::string_view> expected = {"file.screenshot", "file.quit"};
     if (ui.state.show_help) expected.push_back("help.show");

@@ -24,7 +24,7 @@ ViewCamera oblique_camera() {
 class GizmoTest : public ::testing::Test {
  protected:
   GizmoTest() {
-    ui_.input.camera = oblique_camera();
+    ui_.input.views[0].camera = oblique_camera();
     ui_.input.high = Vec3(2, 2, 2);
     ui_.state.gizmo = GizmoTool::place;
     ui_.frame();
@@ -181,7 +181,7 @@ TEST_F(GizmoTest, BesideItTheMouseTurnsTheCamera) {
 TEST_F(GizmoTest, APlaceBeyondTheLimitsOfTheSceneIsNotReached) {
   ui_.history.change("far", [](Scene& scene) { scene.bodies[0].position = Vec3(9.9e5, 0, 0); });
   ui_.history.finish();
-  ui_.input.camera.eye = Vec3(9.9e5, 0, 0) + 1e6 * oblique_camera().eye;
+  ui_.input.views[0].camera.eye = Vec3(9.9e5, 0, 0) + 1e6 * oblique_camera().eye;
   ui_.frame();
   ui_.drag("gizmo/move_x", 400, 200);
   EXPECT_LE(body().position.x(), 1e6);

@@ -129,7 +129,7 @@ TEST(EntryPlaces, ListsOfNodesHaveNone) {
 class RegionTest : public ::testing::Test {
  protected:
   RegionTest() {
-    ViewCamera& camera = ui_.input.camera;
+    ViewCamera& camera = ui_.input.views[0].camera;
     camera.eye = Vec3(4, 4, 9);
     camera.forward = (Vec3(1, 2, 3) - camera.eye).normalized();
     camera.right = camera.forward.cross(Vec3::UnitY()).normalized();
@@ -157,7 +157,7 @@ TEST_F(RegionTest, TheGripStaysUnderTheCursorThatGoesAlongItsWay) {
   const ImVec2 start = ui_.find("region/3");
   const Pose pose = pose_of(ui_.history.scene().bodies[1]);
   const RegionGrip grip = region_grips(kBox)[3];
-  ViewCamera camera = ui_.input.camera;
+  ViewCamera camera = ui_.input.views[0].camera;
   camera.width = ui_.state.viewport_size.x, camera.height = ui_.state.viewport_size.y;
   const Vec2 wanted = *camera.pixel(pose.to_world(grip.place + 0.5 * grip.direction));
   const ImVec2 low = ui_.state.viewport_minimum;

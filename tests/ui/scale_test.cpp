@@ -83,10 +83,10 @@ TEST(EntryScale, SaysWhatCannotBeScaled) {
 class ScaleTest : public ::testing::Test {
  protected:
   ScaleTest() {
-    ui_.input.camera.eye = Vec3(3, 2, 4);
-    ui_.input.camera.forward = -ui_.input.camera.eye.normalized();
-    ui_.input.camera.right = ui_.input.camera.forward.cross(Vec3::UnitY()).normalized();
-    ui_.input.camera.up = ui_.input.camera.right.cross(ui_.input.camera.forward);
+    ui_.input.views[0].camera.eye = Vec3(3, 2, 4);
+    ui_.input.views[0].camera.forward = -ui_.input.views[0].camera.eye.normalized();
+    ui_.input.views[0].camera.right = ui_.input.views[0].camera.forward.cross(Vec3::UnitY()).normalized();
+    ui_.input.views[0].camera.up = ui_.input.views[0].camera.right.cross(ui_.input.views[0].camera.forward);
     ui_.input.high = Vec3(2, 2, 2);
     ui_.state.gizmo = GizmoTool::scale;
     ui_.frame();

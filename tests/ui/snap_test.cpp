@@ -168,7 +168,7 @@ class SnapTest : public ::testing::Test {
   }
   SnapTest() {
     ui_.input.frame = world_.frame();
-    ViewCamera& camera = ui_.input.camera;
+    ViewCamera& camera = ui_.input.views[0].camera;
     camera.eye = Vec3(0, 3, 4);
     camera.forward = -camera.eye.normalized();
     camera.right = camera.forward.cross(Vec3::UnitY()).normalized();
@@ -181,7 +181,7 @@ class SnapTest : public ::testing::Test {
   }
   const BodyDescription& moved() const { return ui_.history.scene().bodies[0]; }
   ImVec2 pixel_at(const Vec3& point) const {
-    ViewCamera camera = ui_.input.camera;
+    ViewCamera camera = ui_.input.views[0].camera;
     camera.width = ui_.state.viewport_size.x;
     camera.height = ui_.state.viewport_size.y;
     const Vec2 pixel = *camera.pixel(point);

@@ -104,8 +104,8 @@ void UiDriver::type(const std::string& text) {
   play();
 }
 
-void UiDriver::press_key(int key, bool ctrl, bool shift) {
-  ui::press(queue, {key, ctrl, shift});
+void UiDriver::press_key(int key, bool ctrl, bool shift, bool alt) {
+  ui::press(queue, {key, ctrl, shift, alt});
   play();
 }
 

@@ -34,11 +34,11 @@ class UiDriver {
   void drag(const std::string& tag, float dx, float dy = 0, int button = 0);
   /// Types text into what has the focus, then Enter.
   void type(const std::string& text);
-  void press_key(int key, bool ctrl = false, bool shift = false);
+  void press_key(int key, bool ctrl = false, bool shift = false, bool alt = false);
   /// Returns the commands issued so far.
   std::vector<std::string_view> issued() const;
   /// Returns the context that enables or disables commands.
-  CommandContext context() const { return {state, history, input.time, input.frame.step, input.legend.has_value()}; }
+  CommandContext context() const { return {state, history, input.time, input.frame.step, input.views[0].legend.has_value()}; }
 
   EditorInput input;
   EditorState state;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr char kWorkTitle[] = "Working";
 
-constexpr std::array<std::pair<const char*, const char*>, 12> kMouseHelp = {{
+constexpr std::array<std::pair<const char*, const char*>, 14> kMouseHelp = {{
     {"Left drag", "orbit"},
     {"Shift + drag, middle drag", "pan"},
     {"Wheel", "zoom"},
@@ -25,6 +25,8 @@ constexpr std::array<std::pair<const char*, const char*>, 12> kMouseHelp = {{
     {"Right click in the view", "fire the projectile at that point; hold the button to preview its path"},
     {"Click on a number", "type a value: 20, 20 GPa, 2*30+1 mm; Tab: next field, Escape: cancel"},
     {"Drag a number", "change it; Shift: fine steps, Ctrl: round values"},
+    {"Click on a view's name", "with four views: choose its side and its quantity"},
+    {"Right end of a title", "drag: move the section of the panel; click: fold it"},
     {"Drop a file", "open a scene"},
 }};
 

@@ -41,7 +41,7 @@ void draw_preferences_dialog(Panel& panel) {
   if (text_button(panel, "preferences/defaults", "Defaults", width)) {
     preferences = {};
     state.dragged_scale = preferences.ui_scale;
-    state.left_width = state.right_width = 0;
+    reset_layout(state);
   }
   if (!state.show_preferences) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();

@@ -19,7 +19,7 @@ struct Command {
   std::int64_t step = 0;         ///< time.step, time.branch: target step; simulation.make_steps: number of steps
   int branch = 0;                ///< time.branch
   Vec3 offset = Vec3::Zero();    ///< edit.make_array: from each copy to the next [m]; their number is `step`
-  Vec2 cursor = Vec2(0.5, 0.5);  ///< simulation.fire, view.pick: point of the view, from its top left corner, 0..1
+  Vec2 cursor = Vec2(0.5, 0.5);  ///< simulation.fire, view.pick: point of the viewport, from its top left corner, 0..1
   bool discard_edits = false;    ///< commands that leave the scene: discards unsaved edits
   bool replace = false;          ///< commands that write: replaces a file of another program
 };

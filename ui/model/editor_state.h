@@ -16,6 +16,7 @@
 #include "ui/model/commands.h"
 #include "ui/model/comparison.h"
 #include "ui/model/edit_history.h"
+#include "ui/model/four_views.h"
 #include "ui/model/gizmo.h"
 #include "ui/model/microsteps.h"
 #include "ui/model/number_edit.h"
@@ -154,6 +155,13 @@ struct PushMark {
   Vec3 point = Vec3::Zero(), impulse = Vec3::Zero();  ///< [m], [N·s]
 };
 
+/// Rectangle of a section of a side panel [pixels].
+struct SectionArea {
+  std::string name;
+  bool is_left = true;
+  ImVec2 low, high;
+};
+
 /// State of the editor itself: neither part of the scene nor relevant to the result of a step.
 struct EditorState {
   bool running = false;
@@ -169,7 +177,7 @@ struct EditorState {
   std::optional<ArrayRequest> array;  ///< input of the dialog that repeats bodies while it is open
   ViewSettings view;                  ///< current view; starts with the scene's
   ProjectileBurst shot;               ///< settings of the projectile tool; position and direction come from the cursor
-  std::optional<Vec2> aimed_at;       ///< while a shot is aimed: point of the view, from its top left corner, 0..1
+  std::optional<Vec2> aimed_at;       ///< while a shot is aimed: point of the viewport, from its top left corner, 0..1
   std::optional<ProjectileBurst> last_shot;  ///< last shot with its time, until it is added to the scene
   bool grab_tool = false;                    ///< the left button grabs pieces in the view
   GrabSpring grab_spring;                    ///< spring of the next grab
@@ -179,8 +187,8 @@ struct EditorState {
   double push_impulse = 10;                  ///< impulse of the next push [N·s]
   std::optional<PushMark> push_mark;         ///< last push
   std::optional<Material> dragged_material;  ///< while a material is dragged onto a body
-  std::optional<Vec2> pointed_at;            ///< point of the view below the mouse, 0..1, while a tool needs its piece
-  int selected_body = 0;                     ///< index into Scene::bodies
+  std::optional<Vec2> pointed_at;   ///< point of the viewport below the mouse, 0..1, while a tool needs its piece
+  int selected_body = 0;            ///< index into Scene::bodies
   std::vector<SceneEntry> entries;  ///< entries selected in the outliner, in that order; empty: the selected body
   std::optional<SceneEntry> listed_entry;  ///< the active entry when the outliner was drawn last
   std::optional<SceneEntry> renamed;       ///< entry whose name is being typed
@@ -199,8 +207,11 @@ struct EditorState {
   std::optional<RegionStroke> region_stroke;  ///< while a stroke is painted
   std::optional<GizmoDrag> gizmo_drag;        ///< while a handle is dragged
   CameraMotion camera_motion;
-  ImVec2 viewport_minimum = {0, 0}, viewport_size = {0, 0};  ///< rectangle of the picture as drawn last [pixels]
-  float left_width = 0, right_width = 0;  ///< widths of the side panels [pixels]; 0: not laid out yet
+  ImVec2 viewport_minimum = {0, 0}, viewport_size = {0, 0};  ///< rectangle of the pictures as drawn last [pixels]
+  FourViews four_views;
+  float left_width = 0, right_width = 0;     ///< widths of the side panels [pixels]; 0: not laid out yet, or hidden
+  std::vector<SectionArea> section_areas;    ///< sections of the side panels as drawn last
+  std::optional<std::string> moved_section;  ///< section that is being dragged
   bool show_times = true;  ///< shows milliseconds and frames per second; off for reproducible pictures of the panels
   bool open_sections = false;  ///< unfolds all sections of the panels, for pictures of them
   bool show_help = false, show_open = false, show_surface = false;
@@ -241,5 +252,8 @@ struct EditorState {
 inline bool is_busy(const EditorState& state) {
   return !state.work.empty() || !state.waiting.empty() || state.steps_left > 0;
 }
+
+/// Restores the usual places and sizes of panels, with one view.
+void reset_layout(EditorState& state);
 
 }  // namespace griffith::ui

@@ -9,6 +9,7 @@ constexpr int kMovesOfDrag = 20;
 
 void press_modifiers(InputQueue& queue, const Shortcut& shortcut, bool down) {
   if (shortcut.ctrl) queue.key(key::kLeftControl, down);
+  if (shortcut.alt) queue.key(key::kLeftAlt, down);
   if (shortcut.shift) queue.key(key::kLeftShift, down);
 }
 

@@ -51,12 +51,14 @@ bool cut_modifier(std::string_view& text, std::string_view modifier) {
 
 std::string shortcut_text(const Shortcut& shortcut) {
   if (shortcut.key == key::kNone) return {};
-  return std::string(shortcut.ctrl ? "Ctrl+" : "") + (shortcut.shift ? "Shift+" : "") + key_name(shortcut.key);
+  return std::string(shortcut.ctrl ? "Ctrl+" : "") + (shortcut.alt ? "Alt+" : "") + (shortcut.shift ? "Shift+" : "") +
+         key_name(shortcut.key);
 }
 
 std::optional<Shortcut> shortcut_from_text(std::string_view text) {
   Shortcut shortcut;
   shortcut.ctrl = cut_modifier(text, "Ctrl+");
+  shortcut.alt = cut_modifier(text, "Alt+");
   shortcut.shift = cut_modifier(text, "Shift+");
   const std::optional<int> key = key_of_name(text);
   if (!key) return std::nullopt;

@@ -18,7 +18,7 @@ inline constexpr int kFirstModifier = kLeftShift, kLastModifier = kRightSuper;
 /// A key with its modifiers.
 struct Shortcut {
   int key = key::kNone;
-  bool ctrl = false, shift = false;
+  bool ctrl = false, shift = false, alt = false;
   bool operator==(const Shortcut&) const = default;
 };
 

@@ -53,7 +53,7 @@ void draw_aim(const Panel& panel) {
                            ", " + format_quantity(length_of(aim.flight), "m", 3);
   draw_readout(panel, list, text);
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  panel.tags.push_back({"aim/readout", mouse, mouse, text});
+  tag_in_view(panel, "aim/readout", mouse, mouse, text);
 }
 
 }  // namespace griffith::ui

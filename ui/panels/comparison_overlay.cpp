@@ -2,6 +2,7 @@
 #include <string>
 
 #include "ui/panels/overlays.h"
+#include "ui/panels/view_drawing.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -10,9 +11,15 @@ namespace {
 
 constexpr ImU32 kGhost = IM_COL32(255, 255, 255, 115);
 
+/// Returns the part of the screen with the view: corner and size.
+ViewArea area(const Panel& panel) {
+  const auto [low, end] = view_area(panel);
+  return {low, {end.x - low.x, end.y - low.y}};
+}
+
 /// Draws the part of the view right of `border`, 0..1 of its width.
 void draw_right_part(const Panel& panel, float border, ImU32 tint) {
-  const ImVec2 low = panel.state.viewport_minimum, size = panel.state.viewport_size;
+  const auto [low, size] = area(panel);
   ImGui::GetWindowDrawList()->AddImage(panel.input.comparison->picture, {low.x + border * size.x, low.y},
                                        {low.x + size.x, low.y + size.y}, {border, 1}, {1, 0}, tint);
 }
@@ -20,7 +27,7 @@ void draw_right_part(const Panel& panel, float border, ImU32 tint) {
 /// Draws the border between the pictures: a line with a grip that can be dragged.
 void drag_border(Panel& panel) {
   EditorState& state = panel.state;
-  const ImVec2 low = state.viewport_minimum, size = state.viewport_size;
+  const auto [low, size] = area(panel);
   const float scale = ui_scale(panel), reach = 6 * scale, x = low.x + state.comparison.border * size.x;
   ImGui::SetCursorScreenPos({x - reach, low.y});
   ImGui::InvisibleButton("##border", {2 * reach, size.y});
@@ -46,8 +53,8 @@ void draw_card_text(const Panel& panel, ImVec2 corner, float width, const std::s
 /// Labels the branches on both sides of the border.
 void draw_names(const Panel& panel) {
   const float scale = ui_scale(panel), gap = 16 * scale;
-  const ImVec2 low = panel.state.viewport_minimum;
-  const float x = low.x + panel.state.comparison.border * panel.state.viewport_size.x, y = low.y + 18 * scale;
+  const auto [low, size] = area(panel);
+  const float x = low.x + panel.state.comparison.border * size.x, y = low.y + 18 * scale;
   const std::string left = "branch " + std::to_string(panel.input.time.branch);
   const std::string right = "branch " + std::to_string(panel.input.comparison->branch);
   draw_card_text(panel, {x - gap - ImGui::CalcTextSize(left.c_str()).x, y}, 0, left);
@@ -57,7 +64,7 @@ void draw_names(const Panel& panel) {
 /// Describes the difference of the branches, above the hints.
 void draw_difference(Panel& panel) {
   const std::string& text = panel.input.comparison->text;
-  const ImVec2 low = panel.state.viewport_minimum, size = panel.state.viewport_size;
+  const auto [low, size] = area(panel);
   const float scale = ui_scale(panel), margin = 22 * scale, width = size.x - 2 * margin;
   const float height = ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y;
   draw_card_text(panel, {low.x + margin, low.y + size.y - 58 * scale - height}, width, text);

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/dialogs/dialogs.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/shortcuts.h"
+#include "ui/panels/side_panels.h"
+#include "ui/panels/window_flags.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -13,10 +16,7 @@ namespace griffith::ui {
 namespace {
 
 constexpr float kLogHeight = 180, kProblemsHeight = 130, kPlotsHeight = 230, kMinimumDock = 90;  // design pixels
-constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
-constexpr ImGuiWindowFlags kBar = kFixed | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoScrollbar;
+constexpr ImGuiWindowFlags kBar = kFixedWindow | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoScrollbar;
 
 /// Arrangement of the fixed windows.
 struct Layout {
@@ -45,46 +45,6 @@ void begin_fixed(const char* name, ImVec2 corner, ImVec2 end, ImGuiWindowFlags f
   ImGui::PopStyleColor();
 }
 
-/// Begins a side panel whose inner border can be dragged; updates `width` [pixels] and `kept` [design pixels].
-void begin_side(const Panel& panel, const char* name, const Layout& layout, bool left, float& width, double& kept) {
-  const float scale = ui_scale(panel), height = layout.bottom() - layout.top();
-  const ImGuiCond once = width == 0 ? ImGuiCond_Always : ImGuiCond_Once;
-  if (width == 0) width = static_cast<float>(kept) * scale;
-  ImGui::SetNextWindowSize({width, height}, once);
-  ImGui::SetNextWindowSizeConstraints({static_cast<float>(kSideWidths.minimum) * scale, height},
-                                      {static_cast<float>(kSideWidths.maximum) * scale, height});
-  ImGui::SetNextWindowPos({left ? layout.corner.x : layout.end.x - width, layout.top()});
-  ImGui::Begin(name, nullptr, kFixed);
-  width = ImGui::GetWindowWidth();
-  const double dragged = std::clamp(static_cast<double>(width / scale), kSideWidths.minimum, kSideWidths.maximum);
-  if (std::abs(dragged - kept) > 1) kept = dragged;  // smaller differences come from whole pixels
-}
-
-void draw_left(Panel& panel, const Layout& layout) {
-  begin_side(panel, "##left", layout, true, panel.state.left_width, panel.state.preferences.left_width);
-  draw_outliner_panel(panel);
-  draw_handles_panel(panel);
-  draw_entry_panel(panel);
-  draw_material_list(panel);
-  draw_scene_panel(panel);
-  draw_grab_panel(panel);
-  draw_push_panel(panel);
-  draw_projectile_panel(panel);
-  ImGui::End();
-}
-
-void draw_right(Panel& panel, const Layout& layout) {
-  begin_side(panel, "##right", layout, false, panel.state.right_width, panel.state.preferences.right_width);
-  draw_view_panel(panel);
-  // Rows of numbers are more compact than widgets.
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 3 * ui_scale(panel)});
-  draw_symbol_panel(panel);
-  draw_inspector_panel(panel);
-  draw_statistics_panel(panel);
-  ImGui::PopStyleVar();
-  ImGui::End();
-}
-
 void draw_bars(Panel& panel, const Layout& layout) {
   begin_fixed("##toolbar", layout.corner, {layout.end.x, layout.top()}, kBar, palette::kWindow);
   draw_toolbar(panel);
@@ -109,18 +69,22 @@ struct Dock {
   void (*draw)(Panel& panel);
 };
 
-/// Draws the panel, whose upper border can be dragged, above the `covered` pixels of others. Returns its height.
-float draw_dock(Panel& panel, const Layout& layout, const Dock& dock, float& height, float covered) {
+/// Draws the panel, whose upper border can be dragged, above the `covered` pixels of others. Updates its `height`
+/// [pixels] and that which is kept [design pixels]. Returns the height.
+float draw_dock(Panel& panel, const Layout& layout, const Dock& dock, float& height, double& kept, float covered) {
   const float scale = ui_scale(panel), left = layout.corner.x + panel.state.left_width;
   const float width = layout.end.x - panel.state.right_width - left;
   const ImGuiCond once = height == 0 ? ImGuiCond_Always : ImGuiCond_Once;
   const float room = layout.bottom() - layout.top() - covered;
-  if (height == 0) height = std::max(dock.first_height * scale, dock.first_part * room);
+  if (height == 0)
+    height = kept > 0 ? static_cast<float>(kept) * scale : std::max(dock.first_height * scale, dock.first_part * room);
   ImGui::SetNextWindowSize({width, height}, once);
   ImGui::SetNextWindowSizeConstraints({width, kMinimumDock * scale}, {width, room / 2});
   ImGui::SetNextWindowPos({left, layout.bottom() - covered - height});
-  ImGui::Begin(dock.window, nullptr, kFixed);
-  height = ImGui::GetWindowHeight();
+  ImGui::Begin(dock.window, nullptr, kFixedWindow);
+  const bool dragged = std::abs(std::exchange(height, ImGui::GetWindowHeight()) - height) > 0.5f &&
+                       ImGui::IsMouseDown(ImGuiMouseButton_Left);
+  if (dragged) kept = height / scale;
   dock.draw(panel);
   ImGui::End();
   return height;
@@ -131,13 +95,16 @@ float draw_docks(Panel& panel, const Layout& layout) {
   PlotsState& plots = panel.state.plots;
   LogView& log = panel.state.log_view;
   ProblemView& problems = panel.state.problem_view;
+  Preferences& kept = panel.state.preferences;
   float covered = 0;
   if (plots.shown)
-    covered += draw_dock(panel, layout, {"##plots", kPlotsHeight, 0.25f, draw_plot_panel}, plots.height, covered);
-  if (log.shown) covered += draw_dock(panel, layout, {"##log", kLogHeight, 0, draw_log_panel}, log.height, covered);
+    covered += draw_dock(panel, layout, {"##plots", kPlotsHeight, 0.25f, draw_plot_panel}, plots.height,
+                         kept.plots_height, covered);
+  if (log.shown)
+    covered += draw_dock(panel, layout, {"##log", kLogHeight, 0, draw_log_panel}, log.height, kept.log_height, covered);
   if (problems.shown)
-    covered +=
-        draw_dock(panel, layout, {"##problems", kProblemsHeight, 0, draw_problem_panel}, problems.height, covered);
+    covered += draw_dock(panel, layout, {"##problems", kProblemsHeight, 0, draw_problem_panel}, problems.height,
+                         kept.problems_height, covered);
   return covered;
 }
 
@@ -165,8 +132,7 @@ std::vector<Command> draw_editor(const EditorInput& input, EditorState& state, E
   draw_menu_bar(panel);
   const Layout layout = lay_out(panel);
   draw_bars(panel, layout);
-  draw_left(panel, layout);
-  draw_right(panel, layout);
+  draw_side_panels(panel, {layout.corner.x, layout.top()}, {layout.end.x, layout.bottom()});
   draw_center(panel, layout, draw_docks(panel, layout));
   if (state.sought.frames > 0) --state.sought.frames;
   draw_dialogs(panel);

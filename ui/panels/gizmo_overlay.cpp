@@ -173,7 +173,7 @@ std::optional<GizmoHandle> lit_handle(const Panel& panel, const std::vector<Hand
   const std::optional<GizmoDrag>& drag = panel.state.gizmo_drag;
   if (drag) return drag->cancelled ? std::nullopt : std::optional(drag->handle);
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const bool free = ImGui::IsWindowHovered() && !ImGui::IsMouseDown(ImGuiMouseButton_Left);
+  const bool free = is_active_view(panel) && ImGui::IsWindowHovered() && !ImGui::IsMouseDown(ImGuiMouseButton_Left);
   const HandleShape* shape = free ? pointed_at(panel, shapes, mouse) : nullptr;
   return shape ? std::optional(shape->handle) : std::nullopt;
 }
@@ -221,10 +221,8 @@ void draw_shape(const Panel& panel, ImDrawList* list, const HandleShape& shape, 
 void tag_shape(Panel& panel, const HandleShape& shape, std::string text) {
   const ImVec2 grip = on_screen(panel, shape.grip);
   const float half = kReach * ui_scale(panel);
-  panel.tags.push_back({"gizmo/" + handle_name(shape.handle),
-                        {grip.x - half, grip.y - half},
-                        {grip.x + half, grip.y + half},
-                        std::move(text)});
+  tag_in_view(panel, "gizmo/" + handle_name(shape.handle), {grip.x - half, grip.y - half},
+              {grip.x + half, grip.y + half}, std::move(text));
 }
 
 /// Draws the dragged box or region as it would be released.

@@ -64,7 +64,7 @@ void draw_grab(const Panel& panel) {
   const std::string text = readout_of(*grab);
   list->AddCircle(end, 6 * scale, color, 0, 2 * scale);
   draw_readout(panel, list, text, end);
-  panel.tags.push_back({"grab/readout", end, end, text});
+  tag_in_view(panel, "grab/readout", end, end, text);
 }
 
 }  // namespace griffith::ui

@@ -22,6 +22,9 @@ bool paint_region(Panel& panel);
 /// Draws the nodes of a painted region over the picture, and the brush.
 void draw_painted_region(Panel& panel);
 
+/// Frames four views and names them; the names of all but the camera's open their settings.
+void draw_view_names(Panel& panel);
+
 /// Draws a dark rounded card behind text over the picture.
 void draw_card(ImDrawList* list, ImVec2 low, ImVec2 high, float scale);
 

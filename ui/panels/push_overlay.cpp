@@ -45,7 +45,7 @@ void draw_push(Panel& panel) {
   const std::string text = preview_of(panel, panel.input.frame.bodies[panel.input.pointed]);
   draw_readout(panel, list, text);
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  panel.tags.push_back({"push/readout", mouse, mouse, text});
+  tag_in_view(panel, "push/readout", mouse, mouse, text);
 }
 
 }  // namespace griffith::ui

@@ -103,7 +103,7 @@ void draw_grips(Panel& panel, const ShownRegion& shown, std::optional<std::size_
     const ImVec2 low = {center.x - half, center.y - half}, high = {center.x + half, center.y + half};
     list->AddRectFilled(low, high, lit == i ? kHeldColor : palette::kAccent, 2);
     list->AddRect(low, high, palette::kWindow, 2);
-    panel.tags.push_back({"region/" + std::to_string(i), low, high, ""});
+    tag_in_view(panel, "region/" + std::to_string(i), low, high, "");
   }
 }
 
@@ -140,7 +140,7 @@ void draw_region(Panel& panel) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   draw_world_lines(panel, list, region_lines(shown->region, region_size(panel)), shown->pose,
                    dragging ? kHeldColor : palette::kAccent);
-  const bool free = ImGui::IsWindowHovered() && !ImGui::IsMouseDown(ImGuiMouseButton_Left);
+  const bool free = is_active_view(panel) && ImGui::IsWindowHovered() && !ImGui::IsMouseDown(ImGuiMouseButton_Left);
   draw_grips(panel, *shown,
              dragging ? std::optional(drag->grip)
              : free   ? grip_at(panel, *shown, ImGui::GetIO().MousePos)

@@ -9,8 +9,8 @@ namespace {
 bool shortcut_pressed(const CommandInfo& info, bool may_repeat) {
   const ImGuiIO& io = ImGui::GetIO();
   const Shortcut& shortcut = info.shortcut;
-  return shortcut.key != key::kNone && io.KeyCtrl == shortcut.ctrl && io.KeyShift == shortcut.shift && !io.KeyAlt &&
-         ImGui::IsKeyPressed(shortcut.key, may_repeat && info.repeats);
+  return shortcut.key != key::kNone && io.KeyCtrl == shortcut.ctrl && io.KeyShift == shortcut.shift &&
+         io.KeyAlt == shortcut.alt && ImGui::IsKeyPressed(shortcut.key, may_repeat && info.repeats);
 }
 
 /// Issues a command of a shortcut. A dialog or text field blocks all but those that do not affect the scene; the key of

@@ -9,20 +9,30 @@
 
 namespace griffith::ui {
 
+ScreenArea view_area(const Panel& panel) {
+  const ImVec2 corner = panel.state.viewport_minimum;
+  const auto [low, size] = area_of(panel.state.four_views, panel.view, panel.state.viewport_size);
+  return {{corner.x + low.x, corner.y + low.y}, {corner.x + low.x + size.x, corner.y + low.y + size.y}};
+}
+
+bool is_active_view(const Panel& panel) { return panel.view == panel.state.four_views.active; }
+
 ViewCamera view_camera(const Panel& panel) {
-  ViewCamera camera = panel.input.camera;
-  camera.width = panel.state.viewport_size.x;
-  camera.height = panel.state.viewport_size.y;
+  ViewCamera camera = panel.input.views[static_cast<std::size_t>(panel.view)].camera;
+  const ImVec2 size = area_of(panel.state.four_views, panel.view, panel.state.viewport_size).size;
+  camera.width = size.x;
+  camera.height = size.y;
   return camera;
 }
 
 Vec2 pixel_of(const Panel& panel, ImVec2 mouse) {
-  return {mouse.x - panel.state.viewport_minimum.x, mouse.y - panel.state.viewport_minimum.y};
+  const ImVec2 low = view_area(panel).minimum;
+  return {mouse.x - low.x, mouse.y - low.y};
 }
 
 ImVec2 on_screen(const Panel& panel, const Vec2& pixel) {
-  return {panel.state.viewport_minimum.x + static_cast<float>(pixel.x()),
-          panel.state.viewport_minimum.y + static_cast<float>(pixel.y())};
+  const ImVec2 low = view_area(panel).minimum;
+  return {low.x + static_cast<float>(pixel.x()), low.y + static_cast<float>(pixel.y())};
 }
 
 DragSteps drag_steps(const Panel& panel, const Vec3& place) {
@@ -55,9 +65,11 @@ void draw_world_lines(const Panel& panel, ImDrawList* list, const std::vector<Re
 }
 
 void draw_readout(const Panel& panel, ImDrawList* list, const std::string& text, ImVec2 place) {
+  if (!is_active_view(panel)) return;
   const float scale = ui_scale(panel), pad = 8 * scale;
   const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
-  const ImVec2 minimum = panel.state.viewport_minimum, size = panel.state.viewport_size;
+  const auto [minimum, end] = view_area(panel);
+  const ImVec2 size = {end.x - minimum.x, end.y - minimum.y};
   const auto within = [pad](float preferred, float low, float room, float need) {
     return std::max(low + pad, std::min(preferred, low + room - need - 2 * pad));
   };
@@ -66,6 +78,10 @@ void draw_readout(const Panel& panel, ImDrawList* list, const std::string& text,
   list->AddRectFilled({low.x - pad, low.y - pad / 2}, {low.x + extent.x + pad, low.y + extent.y + pad / 2},
                       IM_COL32(24, 27, 32, 220), 5 * scale);
   list->AddText(low, palette::kText, text.c_str());
+}
+
+void tag_in_view(const Panel& panel, std::string tag, ImVec2 low, ImVec2 high, std::string text) {
+  if (is_active_view(panel)) panel.tags.push_back({std::move(tag), low, high, std::move(text)});
 }
 
 }  // namespace griffith::ui

@@ -43,7 +43,7 @@ void color_map_row(Panel& panel) {
 void range_rows(Panel& panel) {
   Vec2& range = *panel.state.view.range;
   Numbers numbers = range_of<ViewSettings>("range");
-  if (panel.input.legend) numbers.unit = panel.input.legend->unit;
+  if (const auto& legend = panel.input.views.front().legend) numbers.unit = legend->unit;
   const SiPrefix prefix = shared_prefix(panel.state, "view/range_", range.cwiseAbs().maxCoeff(), unit_symbol(numbers));
   constexpr std::array kTags = {"view/range_minimum", "view/range_maximum"}, kLabels = {"From", "To"};
   for (std::size_t i = 0; i < 2; ++i) {
@@ -67,7 +67,7 @@ void range_rows(Panel& panel) {
 
 void range_part(Panel& panel) {
   bool locked = panel.state.view.range.has_value();
-  ImGui::BeginDisabled(!panel.input.legend);
+  ImGui::BeginDisabled(!panel.input.views.front().legend);
   if (checkbox(panel, "view/lock_range", "Lock color range", locked)) {
     issue(panel, {.name = "view.lock_range"});
   }
@@ -75,7 +75,7 @@ void range_part(Panel& panel) {
   if (panel.state.view.range) return range_rows(panel);
   const bool always = parts_at_zero(panel.state.view);
   bool symmetric = always || panel.state.view.symmetric;
-  ImGui::BeginDisabled(!panel.input.legend || always);
+  ImGui::BeginDisabled(!panel.input.views.front().legend || always);
   if (checkbox(panel, "view/symmetric", "Symmetric about 0", symmetric)) panel.state.view.symmetric = symmetric;
   ImGui::EndDisabled();
   if (always) tooltip("The automatic color map of signed values is symmetric. Choose another map for another range.");

@@ -4,6 +4,7 @@
 #include "ui/model/entry_scale.h"
 #include "ui/panels/overlays.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/view_drawing.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -14,21 +15,32 @@ constexpr float kOrbitPerHeight = 3.2f;  // radians for a drag over the picture'
 constexpr float kZoomPerNotch = 0.88f;
 constexpr float kClickSlack = 4;  // design pixels that the mouse may move in a click
 
-Vec2 place_in_view(const EditorState& state, ImVec2 mouse) {
+Vec2 place_in_viewport(const EditorState& state, ImVec2 mouse) {
   return {(mouse.x - state.viewport_minimum.x) / state.viewport_size.x,
           (mouse.y - state.viewport_minimum.y) / state.viewport_size.y};
 }
 
+/// Makes the view under the mouse the active one, unless a button went down in another.
+void choose_view(EditorState& state, const Vec2& cursor) {
+  if (ImGui::IsAnyMouseDown() && !ImGui::IsItemActivated()) return;
+  const bool inside = cursor.minCoeff() >= 0 && cursor.maxCoeff() < 1;
+  if (inside || !state.four_views.shown)
+    state.four_views.active = view_at(state.four_views, cursor, state.viewport_size).view;
+}
+
+/// Moves the camera of the active view; those along an axis do not rotate.
 void move_camera(EditorState& state, const ImGuiIO& io) {
+  const FourViews& views = state.four_views;
+  const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left), pans = views.active > 0 || io.KeyShift;
   const bool middle = ImGui::IsMouseDown(ImGuiMouseButton_Middle);
-  const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
-  const float speed = static_cast<float>(state.preferences.mouse_speed) / state.viewport_size.y;
+  const float height = area_of(views, views.active, state.viewport_size).size.y;
+  const float speed = static_cast<float>(state.preferences.mouse_speed) / height;
   const float right = io.MouseDelta.x * speed, down = io.MouseDelta.y * speed;
   CameraMotion& motion = state.camera_motion;
   if (left && io.KeyCtrl) {
     motion.slice_right += right;
     motion.slice_up -= down;
-  } else if (middle || (left && io.KeyShift)) {
+  } else if (middle || (left && pans)) {
     motion.pan_right -= right;
     motion.pan_up += down;
   } else if (left) {
@@ -76,6 +88,8 @@ void draw_hints(const Panel& panel, ImVec2 corner, ImVec2 end) {
       "drag: orbit      shift+drag: pan      wheel: zoom      click: inspect      right click: fire (hold: aim)";
   if (panel.state.gizmo_drag || panel.state.region_drag)
     text = panel.state.snap ? "ctrl: do not snap      esc: cancel" : "ctrl: snap      esc: cancel";
+  if (panel.state.four_views.active > 0)
+    text = "drag: pan      wheel: zoom      click: inspect      right click: fire (hold: aim)";
   if (panel.input.microsteps) text = "space: play      left, N: one microstep      click: inspect      U: close";
   if (panel.state.grab_tool) text = "drag a piece: pull it by a spring      elsewhere: orbit      D: done";
   if (panel.state.push_tool) text = "click on a piece: push it      drag: orbit      I: done";
@@ -121,6 +135,45 @@ void draw_stop_card(Panel& panel, ImVec2 corner, ImVec2 end) {
   if (text_button(panel, "time/holding", info.label.data(), 206 * scale)) issue(panel, {.name = info.name});
 }
 
+/// Handles the mouse in the active view.
+void handle_mouse(Panel& panel) {
+  EditorState& state = panel.state;
+  ImGui::InvisibleButton("##view", state.viewport_size,
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
+  tag_last_item(panel.tags, "viewport");
+  ImGui::SetItemAllowOverlap();  // cards and names of views have buttons
+  const Vec2 cursor = place_in_viewport(state, ImGui::GetIO().MousePos);
+  choose_view(state, cursor);
+  panel.view = state.four_views.active;
+  drop_material_on_view(panel);
+  point_at_piece(state, cursor);
+  if (!paint_region(panel) && !drag_region(panel) && !drag_gizmo(panel) && !drag_piece(panel, cursor))
+    mouse_input(panel, cursor);
+}
+
+/// Draws the picture of the view and what lies over it.
+void draw_view(Panel& panel) {
+  const ShownView& view = panel.input.views[static_cast<std::size_t>(panel.view)];
+  const ScreenArea area = view_area(panel);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  ImGui::PushClipRect(area.minimum, area.maximum, true);
+  if (view.picture) list->AddImage(view.picture, area.minimum, area.maximum, {0, 1}, {1, 0});
+  if (panel.view == 0) draw_comparison(panel);
+  draw_labels(list, view.labels, panel.input.fonts, area.minimum, area.maximum, ui_scale(panel));
+  draw_region(panel);
+  draw_painted_region(panel);
+  draw_coming_crack(panel);
+  draw_symbol(panel);
+  draw_gizmo(panel);
+  draw_aim(panel);
+  draw_grab(panel);
+  draw_push(panel);
+  draw_material_target(panel);
+  if (view.legend && legend_fits(area, ui_scale(panel)))
+    draw_legend(list, *view.legend, panel.input.fonts, area, ui_scale(panel));
+  ImGui::PopClipRect();
+}
+
 }  // namespace
 
 void draw_card(ImDrawList* list, ImVec2 low, ImVec2 high, float scale) {
@@ -132,33 +185,12 @@ void draw_viewport(Panel& panel) {
   state.viewport_minimum = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
   state.viewport_size = {std::max(room.x, 16.0f), std::max(room.y, 16.0f)};
+  handle_mouse(panel);
+  for (panel.view = 0; panel.view < state.four_views.count(); ++panel.view) draw_view(panel);
+  panel.view = 0;
+  draw_view_names(panel);
   const ImVec2 end = {state.viewport_minimum.x + state.viewport_size.x,
                       state.viewport_minimum.y + state.viewport_size.y};
-  ImGui::InvisibleButton("##view", state.viewport_size,
-                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
-  tag_last_item(panel.tags, "viewport");
-  ImGui::SetItemAllowOverlap();  // the card of a stop has a button
-  const Vec2 cursor = place_in_view(state, ImGui::GetIO().MousePos);
-  drop_material_on_view(panel);
-  point_at_piece(state, cursor);
-  if (!paint_region(panel) && !drag_region(panel) && !drag_gizmo(panel) && !drag_piece(panel, cursor))
-    mouse_input(panel, cursor);
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  if (panel.input.picture) list->AddImage(panel.input.picture, state.viewport_minimum, end, {0, 1}, {1, 0});
-  draw_comparison(panel);
-  draw_labels(list, panel.input.labels, panel.input.fonts, state.viewport_minimum, end, ui_scale(panel));
-  draw_region(panel);
-  draw_painted_region(panel);
-  draw_coming_crack(panel);
-  draw_symbol(panel);
-  draw_gizmo(panel);
-  draw_aim(panel);
-  draw_grab(panel);
-  draw_push(panel);
-  draw_material_target(panel);
-  if (panel.input.legend && legend_fits({state.viewport_minimum, end}, ui_scale(panel))) {
-    draw_legend(list, *panel.input.legend, panel.input.fonts, {state.viewport_minimum, end}, ui_scale(panel));
-  }
   draw_hints(panel, state.viewport_minimum, end);
   draw_pause_mark(panel, state.viewport_minimum);
   draw_view_warnings(panel, state.viewport_minimum);

@@ -15,7 +15,7 @@ CommandContext context_of(const Panel& panel) {
           panel.history,
           panel.input.time,
           frame.step,
-          panel.input.legend.has_value(),
+          panel.input.views.front().legend.has_value(),
           microsteps_of(frame, panel.history.scene())};
 }
 

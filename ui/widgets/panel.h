@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -19,21 +20,26 @@
 
 namespace griffith::ui {
 
+/// One of the views of the scene.
+struct ShownView {
+  ImTextureID picture = nullptr;     ///< bottom row first; null before it is drawn
+  ViewCamera camera;                 ///< camera of the picture
+  std::optional<Legend> legend;      ///< legend of the picture
+  std::vector<PictureLabel> labels;  ///< labels of the picture
+};
+
 /// Input of the panels, new for every drawn frame.
 struct EditorInput {
   std::span<const CommandInfo> commands;  ///< all commands, in the order of menus and help
   Frame frame;
   Fonts fonts;
-  ImTextureID picture = nullptr;                        ///< picture of the scene, bottom row first
-  ViewCamera camera;                                    ///< camera of the picture
-  std::optional<Legend> legend;                         ///< legend of the picture
-  std::vector<PictureLabel> labels;                     ///< labels of the picture
+  std::array<ShownView, kMaxViews> views;               ///< the first one, or four
   std::vector<RegionLine> symbol_lines;                 ///< outline of the picked symbol, in the picture's world
   BodyId pointed;                                       ///< piece at EditorState::pointed_at; invalid: none
   Aim aim;                                              ///< predicted flight of the aimed shot
   std::span<const UtilizationSample> utilizations;      ///< past of the selected node, oldest first
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();         ///< bounding box of the bodies [m]
-  Vec3 toward_eye = Vec3::UnitZ();                      ///< direction from the camera's target
+  Vec3 toward_eye = Vec3::UnitZ();                      ///< direction from the target of the user's camera
   std::span<const std::filesystem::path> scene_files;   ///< scenes that can be opened
   std::span<const SceneCard> scene_cards;               ///< their cards, while the browser is shown
   std::span<const std::filesystem::path> recent_files;  ///< recently opened or saved, newest first
@@ -61,6 +67,7 @@ struct Panel {
   EditHistory& history;
   WidgetTags& tags;
   std::vector<Command>& commands;
+  int view = 0;  ///< view over which is drawn, or in which the mouse is handled
 };
 
 /// Opens the next section if all sections are open or the sought field is in it. Call it before the section. `tag`: of
