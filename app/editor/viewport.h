@@ -124,7 +124,7 @@ class Viewport {
     Eigen::Vector3f position = Eigen::Vector3f::Zero(), target = Eigen::Vector3f::Zero();
     bool operator==(const PictureKey&) const = default;
   };
-  /// What the views of one quantity show.
+  /// Picture content of the views of one quantity.
   struct Content {
     ContentKey made_of;
     render::DrawScene picture;
@@ -186,7 +186,7 @@ class Viewport {
   render::Renderer renderer_;
   DraftQuality draft_;
   std::array<Content, ui::kMaxViews> contents_;  ///< by the first view that shows it
-  std::array<PictureKey, ui::kMaxViews> drawn_;  ///< of each view
+  std::array<PictureKey, ui::kMaxViews> drawn_;  ///< keys of the views
   Uploaded uploaded_;
   PictureKey legend_placed_;  ///< picture for which the legend was placed
   ui::LegendCorner legend_corner_ = {};

@@ -38,7 +38,9 @@ class UiDriver {
   /// Returns the commands issued so far.
   std::vector<std::string_view> issued() const;
   /// Returns the context that enables or disables commands.
-  CommandContext context() const { return {state, history, input.time, input.frame.step, input.views[0].legend.has_value()}; }
+  CommandContext context() const {
+    return {state, history, input.time, input.frame.step, input.views[0].legend.has_value()};
+  }
 
   EditorInput input;
   EditorState state;
