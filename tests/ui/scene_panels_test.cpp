@@ -239,7 +239,7 @@ TEST(ScenePanels, RandomClicksKeepTheSceneValid) {
   scene.cameras[1].name = "other";
   UiDriver ui(scene);
   open(ui, {"body", "scene", "body/shape", "scene/simulation", "scene/ground"});
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < 1500; ++i) {
     const WidgetTag tag = ui.tags[static_cast<std::size_t>(random.index(static_cast<int>(ui.tags.size())))];
     const std::string part = tag.name.substr(0, tag.name.find('/'));
     const std::set<std::string> parts = {"body", "bodies", "scene", "entry", "projectiles", "probes", "cameras"};
