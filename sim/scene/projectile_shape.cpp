@@ -1,16 +1,19 @@
 #include "sim/scene/projectile_shape.h"
 
-#include <Eigen/SVD>
+#include <Eigen/Eigenvalues>
 
 namespace griffith {
 
 bool span_volume(std::span<const Vec3> points) {
   constexpr double kFlat = 1e-6;
   if (points.size() < 4) return false;
-  const Eigen::Map<const Eigen::Matrix3Xd> columns(points.front().data(), 3, static_cast<Eigen::Index>(points.size()));
-  const Eigen::Matrix3Xd spread = columns.colwise() - columns.rowwise().mean();
-  const Vec3 extents = Eigen::JacobiSVD<Eigen::MatrixXd>(spread).singularValues();
-  return extents[2] > kFlat * extents[0];
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& point : points) sum += point;
+  const Vec3 center = sum / static_cast<double>(points.size());
+  Mat3 spread = Mat3::Zero();
+  for (const Vec3& point : points) spread += (point - center) * (point - center).transpose();
+  const Vec3 squares = Eigen::SelfAdjointEigenSolver<Mat3>(spread, Eigen::EigenvaluesOnly).eigenvalues();
+  return squares[0] > kFlat * kFlat * squares[2];
 }
 
 }  // namespace griffith

@@ -1,10 +1,9 @@
 #include "sim/solver/pivot.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 
+#include "sim/core/dense_algebra.h"
 #include "sim/core/rotation.h"
 
 namespace griffith {
@@ -36,8 +35,12 @@ std::optional<Pivot> pivot_of(std::span<const NodeId> supports, std::span<const 
   return pivot;
 }
 
+Pivot::Square inverse_inertia_on_axes(const Pivot& pivot, const Mat3& inertia) {
+  return dense_inverse(pivot.axes.transpose() * inertia * pivot.axes);
+}
+
 Mat3 inverse_inertia_about(const Pivot& pivot, const Mat3& inertia) {
-  return pivot.axes * (pivot.axes.transpose() * inertia * pivot.axes).inverse() * pivot.axes.transpose();
+  return pivot.axes * inverse_inertia_on_axes(pivot, inertia) * pivot.axes.transpose();
 }
 
 Vec3 common_velocity(std::span<const NodeId> supports, std::span<const NodeConstraint> constraints) {
@@ -48,7 +51,11 @@ Vec3 common_velocity(std::span<const NodeId> supports, std::span<const NodeConst
     known += constraints[node].velocity;
   }
   if (known.isZero(0)) return known;
-  return blocked.completeOrthogonalDecomposition().solve(known);
+  return least_squares(blocked, known);
+}
+
+Vec3 spin_about(const Pivot& pivot, const Mat3& inertia, const Vec3& momentum) {
+  return pivot.axes * (inverse_inertia_on_axes(pivot, inertia) * (pivot.axes.transpose() * momentum));
 }
 
 Turning turning_about(const Pivot& pivot, const NodeVectors& positions, const NodeVectors& velocities,
@@ -59,8 +66,7 @@ Turning turning_about(const Pivot& pivot, const NodeVectors& positions, const No
     turning.inertia += masses[node] * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
     turning.momentum += masses[node] * arm.cross(velocities.col(node));
   }
-  const Eigen::MatrixXd about_axes = pivot.axes.transpose() * turning.inertia * pivot.axes;
-  turning.spin = pivot.axes * (about_axes.inverse() * (pivot.axes.transpose() * turning.momentum));
+  turning.spin = spin_about(pivot, turning.inertia, turning.momentum);
   return turning;
 }
 

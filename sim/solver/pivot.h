@@ -12,6 +12,7 @@ namespace griffith {
 /// A point that the supports of a body hold still and about which they let it turn: a hinge or a ball joint.
 struct Pivot {
   using Axes = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
+  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
   Vec3 place = Vec3::Zero();  ///< [m]
   Axes axes;                  ///< orthonormal columns: those that it may turn about, one or three
 };
@@ -28,8 +29,14 @@ struct Turning {
 std::optional<Pivot> pivot_of(std::span<const NodeId> supports, std::span<const NodeConstraint> constraints,
                               std::span<const Vec3> positions);
 
+/// Returns the inverse of an inertia about the pivot [kg·m²], in terms of the pivot's axes [1/(kg·m²)].
+Pivot::Square inverse_inertia_on_axes(const Pivot& pivot, const Mat3& inertia);
+
 /// Returns the inverse of an inertia about the pivot [kg·m²] for turns about its axes, 0 across them [1/(kg·m²)].
 Mat3 inverse_inertia_about(const Pivot& pivot, const Mat3& inertia);
+
+/// Returns the angular velocity about the pivot's axes [rad/s] with the angular momentum [kg·m²/s] about them.
+Vec3 spin_about(const Pivot& pivot, const Mat3& inertia, const Vec3& momentum);
 
 /// Translation that the supports of a body share, by least squares [m/s]: what differs from it deforms the body.
 Vec3 common_velocity(std::span<const NodeId> supports, std::span<const NodeConstraint> constraints);

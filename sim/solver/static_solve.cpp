@@ -1,13 +1,14 @@
 #include "sim/solver/static_solve.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-#include <Eigen/QR>
+#include <Eigen/Householder>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 
+#include "sim/core/dense_algebra.h"
 #include "sim/mesh/topology.h"
 #include "sim/solver/linear_solvers.h"
 #include "sim/solver/rigid_motion.h"
@@ -15,7 +16,11 @@
 namespace griffith {
 namespace {
 
-using ModeCombinations = Eigen::Matrix<double, 6, Eigen::Dynamic>;  // one combination of the six modes a column
+// Of at most six columns, which Eigen multiplies without its kernels for large matrices.
+template <int kRows, int kMaxRows>
+using UpToSix = Eigen::Matrix<double, kRows, Eigen::Dynamic, Eigen::ColMajor, kMaxRows, 6>;
+using ModeCombinations = UpToSix<6, 6>;  // one combination of the six modes a column
+using NodeMotions = UpToSix<3, 3>;       // what each of them does to a node
 
 /// The forces on a body's nodes in some configuration, and how far it is from equilibrium.
 struct Balance {
@@ -122,9 +127,21 @@ ModeCombinations StaticSolver::find_free_motions() const {
     const RigidModes modes = modes_at(node);
     blocked += modes.transpose() * (Mat3::Identity() - problem_.constraints[node].allowed) * modes;
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(blocked);
-  const auto count = (eigen.eigenvalues().array() <= kNegligible * std::max(1.0, eigen.eigenvalues()[5])).count();
-  return eigen.eigenvectors().leftCols(count);
+  const SymmetricModes blocking = symmetric_modes(blocked);
+  const auto count = (blocking.values.array() <= kNegligible * std::max(1.0, blocking.values[5])).count();
+  return blocking.vectors.leftCols(count);
+}
+
+/// Returns the Householder reflection that maps a vector of up to six components to the first axis.
+UpToSix<Eigen::Dynamic, 6> reflection_onto_first_axis(
+    const Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 6, 1>& v) {
+  Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 5, 1> essential(v.size() - 1);
+  double factor = 0, length = 0;
+  v.makeHouseholder(essential, factor, length);
+  UpToSix<Eigen::Dynamic, 6> reflection = UpToSix<Eigen::Dynamic, 6>::Identity(v.size(), v.size());
+  std::array<double, 6> workspace = {};
+  reflection.applyHouseholderOnTheLeft(essential, factor, workspace.data());
+  return reflection;
 }
 
 /// Returns the constraints, at no velocity, with pins that just block the free motions: each time the node and
@@ -138,13 +155,11 @@ std::vector<NodeConstraint> StaticSolver::pin_free_motions() const {
     const auto size = [&](NodeId node) { return (modes_at(node) * motions).squaredNorm(); };
     const NodeId pinned =
         *std::max_element(nodes_.begin(), nodes_.end(), [&](NodeId a, NodeId b) { return size(a) < size(b); });
-    const Eigen::Matrix3Xd motion = modes_at(pinned) * motions;
+    const NodeMotions motion = modes_at(pinned) * motions;
     const Vec3 direction = Eigen::SelfAdjointEigenSolver<Mat3>(motion * motion.transpose()).eigenvectors().col(2);
     constraints[pinned].block(direction, 0);
     // What is left moves the node across the direction alone: the null space of directionᵀ motion.
-    const Eigen::VectorXd blocked = motion.transpose() * direction;
-    const Eigen::HouseholderQR<Eigen::MatrixXd> basis(blocked);
-    const Eigen::MatrixXd rotated = motions * Eigen::MatrixXd(basis.householderQ());
+    const ModeCombinations rotated = motions * reflection_onto_first_axis(motion.transpose() * direction);
     motions = rotated.rightCols(motions.cols() - 1);
   }
   return constraints;
@@ -157,11 +172,11 @@ std::vector<Vec3> StaticSolver::relieve(const std::vector<Vec3>& loads) const {
   Eigen::MatrixXd inertia = Eigen::MatrixXd::Zero(free_motions_.cols(), free_motions_.cols());
   Eigen::VectorXd resultant = Eigen::VectorXd::Zero(free_motions_.cols());
   for (NodeId node : nodes_) {
-    const Eigen::Matrix3Xd motion = modes_at(node) * free_motions_;
-    inertia += problem_.masses[node] * motion.transpose() * motion;
+    const NodeMotions motion = modes_at(node) * free_motions_;
+    inertia += problem_.masses[node] * (motion.transpose() * motion);
     resultant += motion.transpose() * loads[node];
   }
-  const Eigen::VectorXd acceleration = inertia.inverse() * resultant;
+  const Eigen::VectorXd acceleration = dense_inverse(inertia) * resultant;
   for (NodeId node : nodes_)
     relieved[node] -= problem_.masses[node] * (modes_at(node) * (free_motions_ * acceleration));
   return relieved;

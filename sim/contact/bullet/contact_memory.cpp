@@ -1,8 +1,8 @@
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "sim/contact/bullet/contact_world.h"
+#include "sim/core/dense_algebra.h"
 #include "sim/core/hash_bytes.h"
 #include "sim/core/sort_unique.h"
 
@@ -56,7 +56,7 @@ Eigen::VectorXd normal_forces(std::span<const Contact> contacts, const PairForce
   }
   Eigen::Vector<double, 6> wanted;
   wanted << carried.force, per_length * carried.torque;
-  return wrenches.completeOrthogonalDecomposition().solve(wanted).cwiseMax(0);
+  return least_squares(wrenches, wanted).cwiseMax(0);
 }
 
 }  // namespace

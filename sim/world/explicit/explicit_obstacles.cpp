@@ -106,10 +106,9 @@ std::optional<Pivot> swinging_pivot_of(const WorldState& world, const Body& body
 void set_pivot(const WorldState& world, const Body& body, const Pivot& pivot, explicit_dynamics::Obstacle& obstacle) {
   const Turning turning = turning_of(world, body, pivot);
   const Pivot::Axes axes = body.orientation.conjugate().toRotationMatrix() * pivot.axes;
-  const Eigen::MatrixXd inertia = pivot.axes.transpose() * turning.inertia * pivot.axes;
   obstacle.state = {{pivot.place, body.orientation}, Vec3::Zero(), turning.spin};
   obstacle.center = obstacle.state.pose.to_local(body.motion.center);
-  obstacle.inverse_inertia = axes * inertia.inverse() * axes.transpose();
+  obstacle.inverse_inertia = axes * inverse_inertia_on_axes(pivot, turning.inertia) * axes.transpose();
 }
 
 /// Swings a body about its pivot to the state of its obstacle.

@@ -97,9 +97,7 @@ void move_swinging(WorldState& world, const Body& body, const Pivot& pivot, cons
   turn_edges(body, before.spin, turn, dt, world.edges);
   const Turning after = turning_of(world, body, pivot);
   const Mat3 turned = pivot.axes.cols() == 3 ? Mat3(Mat3::Identity()) : turn;
-  const Eigen::MatrixXd inertia = pivot.axes.transpose() * after.inertia * pivot.axes;
-  const Vec3 spin =
-      pivot.axes * (inertia.inverse() * (pivot.axes.transpose() * (turned * (before.inertia * before.spin))));
+  const Vec3 spin = spin_about(pivot, after.inertia, turned * (before.inertia * before.spin));
   for (NodeId node : body.nodes) {
     Vec3& velocity = world.nodes.velocities[node];
     velocity =
