@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kFoldersAbove = 4;
+constexpr int kFoldersAbove = 5;
 
 bool looks_like_scene(const fs::path& path) {
   return path.extension() == ".json" && path.stem().extension() != ".schema";

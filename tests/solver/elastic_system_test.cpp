@@ -177,8 +177,8 @@ NodeVectors relaxing_velocities(const Vec3& spin) {
   return deforming;
 }
 
-/// Axes that spin along see the same strain. A stiffness that resists displacements along tangents would take the spin of
-/// a strained body for strain, and strain for spin.
+/// Axes that spin along see the same strain. A stiffness that resists displacements along tangents would take the spin
+/// of a strained body for strain, and strain for spin.
 TEST(ElasticSystem, AStretchedBodyRelaxesAlikeWhetherItSpinsOrNot) {
   const NodeVectors still = relaxing_velocities(Vec3::Zero());
   for (const Vec3& spin : {Vec3(8, 0, 0), Vec3(0, -3, 6), Vec3(5, 5, 5)}) {
