@@ -118,6 +118,7 @@ void step_implicitly(WorldState& world, double time_step) {
 /// Restores the state before some substep, of whose microsteps the observer forgets those after `microstep`.
 void restore(WorldState& world, const WorldState& before, std::int64_t microstep) {
   world = before;
+  world.elements.own_states();
   if (world.watch) world.watch->go_back(microstep);
 }
 

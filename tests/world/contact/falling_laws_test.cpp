@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/core/parallel.h"
 #include "tests/world/contact/contact_case.h"
 #include "tests/world/contact/contact_scenes.h"
 
@@ -149,6 +150,19 @@ Scene splinters_on_beam(const ContactCase& at) {
 TEST_P(StrikingLaw, SplintersOnANotchedBeamGainNoEnergy) {
   World world(splinters_on_beam(GetParam()));
   testing::check_energy(world, 5.0 / 3);
+}
+
+/// Returns the state after a step that is undone, since its microsteps exceed their share of the work, and made again.
+std::uint64_t state_after_a_repeated_step(int threads) {
+  const ThreadLimit limit(threads);
+  World world(splinters_on_beam({1, 2, 1.0 / 30}));
+  for (int step = 0; step < 33; ++step) world.step();
+  return world.state_hash();
+}
+
+TEST(RepeatedStep, HasTheSameBitsForAnyNumberOfThreads) {
+  const std::uint64_t alone = state_after_a_repeated_step(1);
+  for (const int threads : {2, 4}) EXPECT_EQ(state_after_a_repeated_step(threads), alone) << threads;
 }
 
 INSTANTIATE_TEST_SUITE_P(Grid, StrikingLaw, ::testing::ValuesIn(testing::contact_cases({0.272, 0.557, 1})),
