@@ -28,24 +28,28 @@ void MicrostepContacts::list_grounded() {
 /// Begins a microstep in which nothing has been pushed into the ground.
 void MicrostepContacts::touch_ground() {
   grounded_touches_.clear();
+  if (grounded_.empty()) return;
+  const Vec3 normal = ground().solids.front().faces.front().normal;
   for (const GroundedPoint& point : grounded_) {
     Touch& touch = grounded_touches_.emplace_back();
     touch.count = 0;  // no body
     touch.obstacle = point.obstacle;
-    touch.normal = ground().solids.front().faces.front().normal;
+    touch.normal = normal;
   }
 }
 
 /// Stops obstacles that the bodies push into the ground: a piece that lies on it carries what strikes it from above.
 /// Returns true if any was stopped.
 bool MicrostepContacts::stop_at_ground(ExplicitBodies& bodies, double dt) {
+  if (grounded_.empty()) return false;
+  const Obstacle& ground = this->ground();
   bool any = false;
   for (std::size_t i = 0; i < grounded_.size(); ++i) {
     const Obstacle& obstacle = obstacles_[grounded_[i].obstacle];
     Touch& touch = grounded_touches_[i];
     touch.place = obstacle.is_sphere() ? Vec3(obstacle.state.pose.translation - obstacle.radius * touch.normal)
                                        : obstacle.state.pose.to_world(grounded_[i].sample);
-    touch.depth = -ground().gap_of(touch.place);
+    touch.depth = -ground.gap_of(touch.place);
     if (touch.depth > 0 || touch.pressure > 0) any |= push(bodies, touch, dt);
   }
   return any;

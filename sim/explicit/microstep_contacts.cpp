@@ -284,8 +284,8 @@ void MicrostepContacts::resolve(ExplicitBodies& bodies, double dt, double min_sp
   find_touches(bodies);
   work_ += kCandidateWork * static_cast<double>(candidate_count()) + kTouchWork * static_cast<double>(touches_.size()) +
            kBondWork * static_cast<double>(bonds_.size());
-  touch_ground();
   bool any = !touches_.empty();
+  if (any) touch_ground();
   for (int round = 0; round < kRounds && any; ++round) {
     any = false;
     for (const int index : order_) any |= push(bodies, touches_[index], dt);

@@ -7,18 +7,14 @@
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/tet_edges.h"
 #include "sim/mesh/topology.h"
+#include "tests/all_tets.h"
 #include "tests/random_values.h"
 
 namespace griffith {
 namespace {
 
+using testing::all_tets;
 using testing::RandomValues;
-
-std::vector<TetId> all_tets(const TetMesh& mesh) {
-  std::vector<TetId> tets;
-  for (const TetId tet : IdRange<TetId>(0, mesh.tet_count())) tets.push_back(tet);
-  return tets;
-}
 
 /// Edges of tets join the nodes that they should, there is one for each two nodes, and none without tets.
 void expect_exact(const TetMesh& mesh, const TetEdges& edges) {

@@ -5,19 +5,15 @@
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/tet_edges.h"
 #include "sim/mesh/topology.h"
+#include "tests/all_tets.h"
 #include "tests/irregular_soup.h"
 #include "tests/random_values.h"
 
 namespace griffith {
 namespace {
 
+using testing::all_tets;
 using testing::RandomValues;
-
-std::vector<TetId> all_tets(const TetMesh& mesh) {
-  std::vector<TetId> tets;
-  for (const TetId tet : IdRange<TetId>(0, mesh.tet_count())) tets.push_back(tet);
-  return tets;
-}
 
 double field(const Vec3& x) { return 1 + x.x() - 2 * x.y() + 3 * x.x() * x.z() - x.y() * x.y() + 0.5 * x.y() * x.z(); }
 

@@ -1,5 +1,6 @@
 #include "sim/world/bodies/bodies.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <limits>
 
@@ -336,6 +337,17 @@ void rebuild_pieces(WorldState& world, std::span<const BodyId> pieces) {
     if (!world.bodies[id].proxy.valid()) first_new = std::min(first_new, static_cast<std::size_t>(id.index()));
   }
   add_proxies(world, std::span(world.bodies).subspan(first_new));
+}
+
+void add_spin_to_edges(const Body& body, const Vec3& spin, EdgeArrays& edges) {
+  for (const EdgeId edge : body.edges) edges.velocities[edge] += spin.cross(edges.offsets[edge]);
+}
+
+void restore_spin(WorldState& world, const Body& body, const RigidMotion& before, const RigidMotion& now) {
+  const Vec3 spin = now.inertia.inverse() * (before.inertia * before.angular_velocity) - now.angular_velocity;
+  for (const NodeId node : body.nodes)
+    world.nodes.velocities[node] += spin.cross(world.nodes.positions[node] - now.center);
+  add_spin_to_edges(body, spin, world.edges);
 }
 
 }  // namespace griffith

@@ -70,4 +70,9 @@ double visible_speed(const WorldState& world, const Body& body);
 /// σ_t/(ρc), while finer meshes do from 0.77 on.
 double harmful_impact_speed(const WorldState& world, const Body& body);
 
+/// Adds the velocities that a spin [rad/s] of the whole body gives its edges.
+void add_spin_to_edges(const Body& body, const Vec3& spin, EdgeArrays& edges);
+/// Adds the spin that restores the angular momentum of a body's motion `before`; `now`: its present motion.
+void restore_spin(WorldState& world, const Body& body, const RigidMotion& before, const RigidMotion& now);
+
 }  // namespace griffith

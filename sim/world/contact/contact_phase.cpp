@@ -20,6 +20,7 @@
 #include "sim/world/impacts/struck_bodies.h"
 #include "sim/world/motion/elastic_phase.h"
 #include "sim/world/motion/motion_phase.h"
+#include "sim/world/motion/turning.h"
 #include "sim/world/output/publish.h"
 #include "sim/world/regime/regime_change.h"
 #include "sim/world/regime/rest_phase.h"
@@ -172,30 +173,17 @@ SolvedContacts solve_contacts(WorldState& world, double dt) {
   return solved;
 }
 
-/// Moves and rotates a deformable body. Velocities rotate along: left as they are, they would deform a body that spins.
-void displace(WorldState& world, Body& body, const ContactWorld::Correction& correction) {
-  const Mat3 turn = rotation_by(correction.rotation).toRotationMatrix();
-  const RigidMotion before = motion_of(world, body);
-  body.motion.center += correction.translation;
-  for (const NodeId node : body.nodes) {
-    Vec3 &position = world.nodes.positions[node], &velocity = world.nodes.velocities[node];
-    position = body.motion.center + turn * (position - before.center);
-    velocity = before.velocity + turn * (velocity - before.velocity);
-  }
-  for (const EdgeId edge : body.edges) {
-    Vec3 &offset = world.edges.offsets[edge], &velocity = world.edges.velocities[edge];
-    offset = (turn * offset).eval();
-    velocity = (turn * velocity).eval();
-  }
-}
-
 void apply_corrections(WorldState& world) {
   for (Body& body : world.bodies) {
     if (body.asleep || body.supported() || body.rigid) continue;  // what is rigid is led to where its contacts leave it
     const ContactWorld::Correction correction = world.contact_world.position_correction(body.proxy);
     if (correction.translation.isZero(0) && correction.rotation.isZero(0)) continue;
     world.energy.limited += body.motion.mass * world.model->scene.gravity.dot(correction.translation);
-    displace(world, body, correction);
+    const RigidMotion motion = motion_of(world, body);
+    body.motion.center += correction.translation;
+    carry(world, body, rotation_by(correction.rotation).toRotationMatrix(),
+          {{motion.center, body.orientation}, motion.velocity, motion.angular_velocity},
+          {{body.motion.center, body.orientation}, motion.velocity, motion.angular_velocity});
   }
 }
 

@@ -7,7 +7,7 @@
 namespace griffith {
 
 /// Work that a body's deformation by its velocities does against elastic forces, as the linearized step predicts it.
-/// Its motion as a whole changes these forces too, but follows from the balance of momentum alone.
+/// Its motion as a whole follows from the balance of momentum alone and does not change them in axes that move along.
 struct ElasticWorks {
   double first = 0;   ///< against the forces at the start [J]
   double change = 0;  ///< against their linearized change by the displacement, all of it from the start on [J]

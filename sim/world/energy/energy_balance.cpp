@@ -40,9 +40,9 @@ double elastic_energy(const WorldState& world, const Body& body) {
   return energy;
 }
 
-double kinetic_energy_of_edges(const WorldState& world, const Body& body) {
+double kinetic_energy_of_edges(const WorldState& world, std::span<const EdgeId> edges) {
   double sum = 0;
-  for (EdgeId edge : body.edges) sum += 0.5 * world.edges.masses[edge] * world.edges.velocities[edge].squaredNorm();
+  for (EdgeId edge : edges) sum += 0.5 * world.edges.masses[edge] * world.edges.velocities[edge].squaredNorm();
   return sum;
 }
 

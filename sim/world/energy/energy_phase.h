@@ -13,8 +13,8 @@ namespace griffith {
 double elastic_energy(const WorldState& world, const Body& body);
 /// Returns the kinetic and elastic energy of a body in its present state; of a rigid one by its motion [J].
 double energy_of(const WorldState& world, const Body& body);
-/// Returns the part of a quadratic body's kinetic energy due to the motion of its edges [J].
-double kinetic_energy_of_edges(const WorldState& world, const Body& body);
+/// Returns the kinetic energy of edges [J]: the part of a quadratic body that its nodes do not have.
+double kinetic_energy_of_edges(const WorldState& world, std::span<const EdgeId> edges);
 /// Return kinetic energy [J].
 double kinetic_energy(const RigidMotion& motion);
 double kinetic_energy(const Projectile& projectile, const RigidState& state);

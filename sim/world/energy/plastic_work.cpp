@@ -1,6 +1,6 @@
 #include "sim/world/energy/plastic_work.h"
 
-#include "sim/world/state/quadratic_states.h"
+#include "sim/world/bodies/quadratic_states.h"
 
 namespace griffith {
 namespace {

@@ -9,11 +9,11 @@
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/bodies/effective_law.h"
+#include "sim/world/bodies/quadratic_states.h"
 #include "sim/world/explicit/explicit_run.h"
 #include "sim/world/explicit/similarity.h"
 #include "sim/world/fracture/separation_phase.h"
 #include "sim/world/state/element_states.h"
-#include "sim/world/state/quadratic_states.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {
@@ -120,13 +120,10 @@ void ExplicitRun::update_linear_states(std::span<const TetId> tets, const Body& 
 }
 
 void ExplicitRun::update_quadratic_states(std::span<const TetId> tets, const Body& body) {
-  const ElasticLaw law = effective_elastic_law(world_, body);
-  const std::optional<PlasticLaw> plastic = plastic_law(world_.material_of(body));
-  for (const TetId tet : tets) {
-    const QuadraticStates found = quadratic_states_at(world_, law, plastic, tet);
+  find_quadratic_states(world_, body, tets, [&](TetId tet, const QuadraticStates& found) {
     world_.elements.states.edit()[tet] = found.mean;
     world_.elements.quadratic_states.edit()[tet] = found.state;
-  }
+  });
 }
 
 /// Takes a tet among those whose states are to be found, and updates its positions.

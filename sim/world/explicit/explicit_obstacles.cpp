@@ -78,20 +78,9 @@ void add_bodies(const WorldState& world, const Surroundings& near, double durati
   }
 }
 
-/// Moves and rotates a deformable body as a whole by `turn`, from a state of its motion to another.
+/// Carries a deformable body, and finds its state there.
 void carry_nodes(WorldState& world, Body& body, const Mat3& turn, const RigidState& before, const RigidState& after) {
-  const Vec3 velocity = after.velocity - before.velocity, spin = after.angular_velocity - before.angular_velocity;
-  for (const NodeId node : body.nodes) {
-    const Vec3 arm = world.nodes.positions[node] - before.pose.translation;
-    world.nodes.velocities[node] += velocity + spin.cross(arm);
-    world.nodes.positions[node] = after.pose.translation + turn * arm;
-    world.nodes.velocities[node] = turn * (world.nodes.velocities[node] - after.velocity) + after.velocity;
-  }
-  for (const EdgeId edge : body.edges) {
-    Vec3 &offset = world.edges.offsets[edge], &bending = world.edges.velocities[edge];
-    bending = turn * (bending + spin.cross(offset));
-    offset = (turn * offset).eval();
-  }
+  carry(world, body, turn, before, after);
   update_elements(world, body);
   update_motion(world, body);
 }

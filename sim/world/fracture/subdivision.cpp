@@ -1,16 +1,15 @@
 #include "sim/world/fracture/subdivision.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <limits>
 #include <set>
 
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/bodies/effective_law.h"
+#include "sim/world/bodies/quadratic_states.h"
+#include "sim/world/energy/energy_phase.h"
 #include "sim/world/setup/build_world.h"
 #include "sim/world/state/corners.h"
-#include "sim/world/state/quadratic_states.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {
@@ -35,12 +34,6 @@ double kinetic_energy_of(const WorldState& world, const auto& nodes) {
   return energy;
 }
 
-double kinetic_energy_of_edges(const WorldState& world, std::span<const EdgeId> edges) {
-  double energy = 0;
-  for (const EdgeId edge : edges) energy += 0.5 * world.edges.masses[edge] * world.edges.velocities[edge].squaredNorm();
-  return energy;
-}
-
 /// Appends the node on a bisected edge and, if its tets are quadratic, their edges. All have the values that the field
 /// has there.
 void append_node(WorldState& world, const EdgeNode& node, std::span<const TetBisection> halves) {
@@ -57,14 +50,12 @@ void append_node(WorldState& world, const EdgeNode& node, std::span<const TetBis
 /// Updates the states of quadratic tets of a body.
 void update_quadratic_states(WorldState& world, std::span<const TetId> tets) {
   const Body& body = world.bodies[world.elements.bodies[tets.front()]];
-  const ElasticLaw law = effective_elastic_law(world, body);
-  const std::optional<PlasticLaw> plastic = plastic_law(world.material_of(body));
-  for (const TetId tet : tets) {
-    const QuadraticStates found = quadratic_states_at(world, law, plastic, tet);
-    world.elements.states.edit()[tet] = found.mean;
-    world.elements.quadratic_states.edit()[tet] = found.state;
-    world.elements.stresses.edit()[tet] = found.mean_cauchy_stress;
-  }
+  ElementArrays& elements = world.elements;
+  find_quadratic_states(world, body, tets, [&](TetId tet, const QuadraticStates& found) {
+    elements.states.edit()[tet] = found.mean;
+    elements.quadratic_states.edit()[tet] = found.state;
+    elements.stresses.edit()[tet] = found.mean_cauchy_stress;
+  });
 }
 
 /// Returns all tets of a subdivision.
@@ -214,11 +205,9 @@ void record_motion(const WorldState& world, const Body& body, MotionsBefore& mot
 
 void restore_momenta(WorldState& world, const Body& body, const RigidMotion& before) {
   const RigidMotion now = motion_of(world, body);
-  const Vec3 spin = now.inertia.inverse() * (before.inertia * before.angular_velocity) - now.angular_velocity;
-  for (NodeId node : body.nodes) world.nodes.velocities[node] += spin.cross(world.nodes.positions[node] - now.center);
+  restore_spin(world, body, before, now);
   if (body.edges.empty()) return;  // linear interpolation keeps the momentum
   for (NodeId node : body.nodes) world.nodes.velocities[node] += before.velocity - now.velocity;
-  add_spin_to_edges(body, spin, world.edges);
 }
 
 void restore_momenta(WorldState& world, const MotionsBefore& motions) {

@@ -12,12 +12,12 @@
 #include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/bodies/effective_law.h"
+#include "sim/world/bodies/quadratic_states.h"
 #include "sim/world/motion/explicit_integration.h"
 #include "sim/world/motion/motion_phase.h"
 #include "sim/world/motion/turning.h"
 #include "sim/world/regime/regime_change.h"
 #include "sim/world/state/element_states.h"
-#include "sim/world/state/quadratic_states.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {

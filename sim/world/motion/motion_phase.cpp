@@ -180,7 +180,7 @@ Wrench wrench_of(const WorldState& world, const Body& body, const std::vector<Ve
 }
 
 double kinetic_energy_of(const WorldState& world, const Body& body) {
-  double energy = kinetic_energy_of_edges(world, body);
+  double energy = kinetic_energy_of_edges(world, body.edges);
   for (NodeId node : body.nodes) energy += 0.5 * world.nodes.masses[node] * world.nodes.velocities[node].squaredNorm();
   return energy;
 }
@@ -204,10 +204,8 @@ void restore_angular_momentum(WorldState& world, const Body& body, const BodySna
     positions.col(i) = before.positions[i];
     velocities.col(i) = before.velocities[i];
   }
-  const RigidMotion first = rigid_motion(positions, velocities, masses_of(world, body)), now = motion_of(world, body);
-  const Vec3 spin = now.inertia.inverse() * (first.inertia * first.angular_velocity) - now.angular_velocity;
-  for (NodeId node : body.nodes) world.nodes.velocities[node] += spin.cross(world.nodes.positions[node] - now.center);
-  add_spin_to_edges(body, spin, world.edges);
+  const RigidMotion first = rigid_motion(positions, velocities, masses_of(world, body));
+  restore_spin(world, body, first, motion_of(world, body));
 }
 
 void slow_deformation(WorldState& world, const Body& body, double fraction) {

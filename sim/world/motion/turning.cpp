@@ -7,10 +7,6 @@
 
 namespace griffith {
 
-void add_spin_to_edges(const Body& body, const Vec3& spin, EdgeArrays& edges) {
-  for (const EdgeId edge : body.edges) edges.velocities[edge] += spin.cross(edges.offsets[edge]);
-}
-
 NodeVectors of_nodes(const Body& body, const std::vector<Vec3>& values) {
   NodeVectors columns(3, body.nodes.size());
   for (std::size_t i = 0; i < body.nodes.size(); ++i) columns.col(i) = values[body.nodes[i]];
@@ -41,6 +37,21 @@ void turn_edges(const Body& body, const Vec3& spin, const Mat3& turn, double dt,
 Turning turning_of(const WorldState& world, const Body& body, const Pivot& pivot) {
   return turning_about(pivot, of_nodes(body, world.nodes.positions), of_nodes(body, world.nodes.velocities),
                        masses_of(world, body));
+}
+
+void carry(WorldState& world, const Body& body, const Mat3& turn, const RigidState& before, const RigidState& after) {
+  const Vec3 velocity = after.velocity - before.velocity, spin = after.angular_velocity - before.angular_velocity;
+  for (const NodeId node : body.nodes) {
+    const Vec3 arm = world.nodes.positions[node] - before.pose.translation;
+    world.nodes.velocities[node] += velocity + spin.cross(arm);
+    world.nodes.positions[node] = after.pose.translation + turn * arm;
+    world.nodes.velocities[node] = turn * (world.nodes.velocities[node] - after.velocity) + after.velocity;
+  }
+  for (const EdgeId edge : body.edges) {
+    Vec3 &offset = world.edges.offsets[edge], &bending = world.edges.velocities[edge];
+    bending = turn * (bending + spin.cross(offset));
+    offset = (turn * offset).eval();
+  }
 }
 
 void move_free(WorldState& world, const Body& body, double dt) {

@@ -13,8 +13,10 @@ NodeVectors of_nodes(const Body& body, const std::vector<Vec3>& values);
 Eigen::VectorXd masses_of(const WorldState& world, const Body& body);
 /// Returns the rotation of a body about its pivot.
 Turning turning_of(const WorldState& world, const Body& body, const Pivot& pivot);
-/// Adds the velocities that a spin [rad/s] of the whole body gives its edges.
-void add_spin_to_edges(const Body& body, const Vec3& spin, EdgeArrays& edges);
+
+/// Moves and rotates a deformable body as a whole by `turn`, from a state of its motion to another. Its velocities
+/// rotate along: left as they are, they would deform a body that spins.
+void carry(WorldState& world, const Body& body, const Mat3& turn, const RigidState& before, const RigidState& after);
 
 /// Moves a free body by its velocities: their rigid part rotates it, the rest deforms it. Along the tangents, a
 /// rotation by the angle a would lengthen it by a²/2, and a stiff body would break. Linear and angular momentum are

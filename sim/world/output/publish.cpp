@@ -71,7 +71,7 @@ void publish(WorldState& world) {
   }
   add_nodes(world, world.output.totals);
   for (const Body& body : world.bodies)
-    if (!body.rigid) world.output.totals.kinetic_energy += kinetic_energy_of_edges(world, body);
+    if (!body.rigid) world.output.totals.kinetic_energy += kinetic_energy_of_edges(world, body.edges);
   for (std::size_t i = 0; i < world.elements.rest_elements.size(); ++i)
     world.output.totals.elastic_energy +=
         world.elements.rest_elements[i].volume * world.elements.states[i].energy_density;

@@ -152,7 +152,7 @@ TEST_P(StrikingLaw, SplintersOnANotchedBeamGainNoEnergy) {
   testing::check_energy(world, 5.0 / 3);
 }
 
-/// Returns the state after a step that is undone, since its microsteps exceed their share of the work, and made again.
+/// Returns the state after a step that is undone, since its microsteps exceed their share of the work, and repeated.
 std::uint64_t state_after_a_repeated_step(int threads) {
   const ThreadLimit limit(threads);
   World world(splinters_on_beam({1, 2, 1.0 / 30}));
