@@ -12,13 +12,6 @@ foreach(header ${griffith_public_headers})
   file(CREATE_LINK ${header} ${PROJECT_BINARY_DIR}/include/griffith/${name} SYMBOLIC)
 endforeach()
 
-# A static library that shared ones link, libgriffith among them. No function of it is replaced by one of another library,
-# so calls stay direct and may be inlined.
-function(griffith_for_shared_libraries target)
-  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
-  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
-endfunction()
-
 # A static library that other programs may link as griffith::<name>. HEADERS, relative to the project's folder, are
 # those that they may include; they need no library but Eigen.
 function(griffith_library name)
@@ -28,16 +21,24 @@ function(griffith_library name)
   add_library(${target} STATIC)
   add_library(griffith::${name} ALIAS ${target})
   target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${ARG_HEADERS})
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} LINKER_LANGUAGE CXX)
   target_compile_features(${target} PUBLIC cxx_std_20)
   # Those who link it write <griffith/world.h>; the headers themselves say "sim/...".
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
                                               $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-  target_link_libraries(${target} PUBLIC Eigen3::Eigen PRIVATE $<BUILD_INTERFACE:griffith_compiler>)
-  griffith_for_shared_libraries(${target})
-  griffith_precompile(${target})
-  griffith_join_sources(${target} 12)
+  target_link_libraries(${target} PUBLIC Eigen3::Eigen)
   griffith_keep_own_copies(${target})
+endfunction()
+
+# A folder of the library griffith_<library>: a target griffith_<library>_<folder> of its own, compiled at one level of
+# optimization. LIBRARIES are those whose headers it may include.
+function(griffith_folder library folder level)
+  cmake_parse_arguments(ARG "" "" "LIBRARIES;SOURCES" ${ARGN})
+  set(target griffith_${library}_${folder})
+  add_library(${target} OBJECT ${ARG_SOURCES})
+  target_link_libraries(${target} PRIVATE Eigen3::Eigen ${ARG_LIBRARIES})
+  griffith_compile(${target} ${level})
+  target_sources(griffith_${library} PRIVATE $<TARGET_OBJECTS:${target}>)
 endfunction()
 
 # The linker takes one copy of each inline function, of this library or of the program that links it. Theirs may be

@@ -44,7 +44,7 @@ int scalar_kind(const EmbeddedSurface& surface) {
   return surface.scalars_per_point ? 2 : 1;
 }
 
-std::string fragment_source(Output output) {
+std::string embedded_fragment(Output output) {
   return with_output(
       std::string(shaders::shading_glsl) + shaders::grain_glsl + shaders::matter_glsl + shaders::embedded_frag, output);
 }
@@ -65,14 +65,14 @@ bool is_plain(const EmbeddedSurface& surface, const RenderOptions& options) {
 }  // namespace
 
 EmbeddedPass::EmbeddedPass()
-    : program_("embedded surface", shaders::embedded_vert, fragment_source(Output::opaque)),
+    : program_("embedded surface", shaders::embedded_vert, embedded_fragment(Output::opaque)),
       transparent_program_("transparent embedded surface", shaders::embedded_vert,
-                           fragment_source(Output::transparent)),
+                           embedded_fragment(Output::transparent)),
       plain_program_("plain embedded surface", shaders::embedded_vert,
-                     ("#define NATURAL\n" + fragment_source(Output::opaque)).c_str(), Light::plain),
-      glass_program_("clear embedded surface", shaders::embedded_vert, fragment_source(Output::glass).c_str()),
+                     ("#define NATURAL\n" + embedded_fragment(Output::opaque)).c_str(), Light::plain),
+      glass_program_("clear embedded surface", shaders::embedded_vert, embedded_fragment(Output::glass).c_str()),
       grain_program_("broken embedded surface", shaders::embedded_vert,
-                     ("#define GRAIN\n" + fragment_source(Output::opaque)).c_str()),
+                     ("#define GRAIN\n" + embedded_fragment(Output::opaque)).c_str()),
       depth_program_("embedded depth", shaders::embedded_vert, shaders::depth_frag),
       part_depth_program_("depth of part of an embedded surface", shaders::embedded_vert,
                           shaders::embedded_depth_frag) {

@@ -25,7 +25,7 @@ void check_sizes([[maybe_unused]] const Surface& surface) {
   assert(surface.flags.empty() || surface.flags.size() == triangles);
 }
 
-std::string fragment_source(Output output) {
+std::string surface_fragment(Output output) {
   return with_output(
       std::string(shaders::shading_glsl) + shaders::grain_glsl + shaders::matter_glsl + shaders::surface_frag, output);
 }
@@ -38,13 +38,13 @@ bool is_plain(const Surface& surface, const RenderOptions& options) {
 }  // namespace
 
 SurfacePass::SurfacePass()
-    : program_("surface", shaders::surface_vert, fragment_source(Output::opaque)),
-      transparent_program_("transparent surface", shaders::surface_vert, fragment_source(Output::transparent)),
+    : program_("surface", shaders::surface_vert, surface_fragment(Output::opaque)),
+      transparent_program_("transparent surface", shaders::surface_vert, surface_fragment(Output::transparent)),
       plain_program_("plain surface", shaders::surface_vert,
-                     ("#define NATURAL\n" + fragment_source(Output::opaque)).c_str(), Light::plain),
-      glass_program_("clear surface", shaders::surface_vert, fragment_source(Output::glass).c_str()),
+                     ("#define NATURAL\n" + surface_fragment(Output::opaque)).c_str(), Light::plain),
+      glass_program_("clear surface", shaders::surface_vert, surface_fragment(Output::glass).c_str()),
       grain_program_("surface with grain", shaders::surface_vert,
-                     ("#define GRAIN\n" + fragment_source(Output::opaque)).c_str()),
+                     ("#define GRAIN\n" + surface_fragment(Output::opaque)).c_str()),
       depth_program_("surface depth", shaders::surface_vert, shaders::depth_frag),
       part_depth_program_("depth of part of a surface", shaders::surface_vert, shaders::surface_depth_frag) {
   glBindVertexArray(vertices_.id());

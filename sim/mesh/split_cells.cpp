@@ -35,7 +35,7 @@ std::vector<FaceLoop> faces_of(const VolumeCell& cell) {
   return faces;
 }
 
-Triangle sorted(Triangle triangle) {
+Triangle sorted_corners(Triangle triangle) {
   std::ranges::sort(triangle);
   return triangle;
 }
@@ -59,17 +59,17 @@ class GivenTriangles {
   }
 
   bool contain(const Triangle& triangle) const {
-    const auto found = std::ranges::lower_bound(wanted_, sorted(triangle));
-    return found != wanted_.end() && *found == sorted(triangle) && given_[found - wanted_.begin()] != 0;
+    const auto found = std::ranges::lower_bound(wanted_, sorted_corners(triangle));
+    return found != wanted_.end() && *found == sorted_corners(triangle) && given_[found - wanted_.begin()] != 0;
   }
 
  private:
   static Triangle without(const FaceLoop& quad, std::size_t left_out) {
-    return sorted({quad[(left_out + 1) % 4], quad[(left_out + 2) % 4], quad[(left_out + 3) % 4]});
+    return sorted_corners({quad[(left_out + 1) % 4], quad[(left_out + 2) % 4], quad[(left_out + 3) % 4]});
   }
   void mark(const Triangle& triangle) {
-    const auto found = std::ranges::lower_bound(wanted_, sorted(triangle));
-    if (found != wanted_.end() && *found == sorted(triangle)) given_[found - wanted_.begin()] = 1;
+    const auto found = std::ranges::lower_bound(wanted_, sorted_corners(triangle));
+    if (found != wanted_.end() && *found == sorted_corners(triangle)) given_[found - wanted_.begin()] = 1;
   }
 
   std::vector<Triangle> wanted_;  ///< halves of all quadrilaterals, ascending

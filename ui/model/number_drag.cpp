@@ -25,10 +25,10 @@ double usual_magnitude(std::string_view unit) {
 
 /// Returns the change per pixel for linear drags.
 double linear_step(const DragStart& start) {
-  constexpr double kLeastCount = 0.1, kDegrees = 0.5;
+  constexpr double kLeastCount = 0.1, kHalfDegree = 0.5;
   const double magnitude = std::max(std::abs(start.value), start.vector_magnitude);
   if (start.whole) return std::max(kLeastCount, kSharePerPixel * magnitude);
-  if (start.numbers.unit == "degrees") return kDegrees;
+  if (start.numbers.unit == "degrees") return kHalfDegree;
   if (is_ratio(start.numbers) && start.usual == 0)
     return kSharePerPixel * std::max(magnitude, std::min(1.0, start.numbers.maximum - start.numbers.minimum));
   if (magnitude > 0) return kSharePerPixel * magnitude;

@@ -1,0 +1,1 @@
+// Holds nothing: its precompiled headers are those of other targets.

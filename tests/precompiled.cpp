@@ -1,1 +1,0 @@
-// Holds nothing: its precompiled headers are those of the test programs.
