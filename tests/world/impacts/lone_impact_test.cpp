@@ -197,11 +197,11 @@ Scene landing_bricks(int count) {
 }
 
 TEST(LoneImpact, ManyAtATimeCostWhatBreaks) {
-  constexpr int kSteps = 40;
+  constexpr int kLandingSteps = 40;
   World world(landing_bricks(90));
   int cracks = 0, substeps = 0;
   double work = 0;
-  for (int i = 0; i < kSteps; ++i) {
+  for (int i = 0; i < kLandingSteps; ++i) {
     world.step();
     const StepReport& report = world.frame().report;
     cracks += report.cracks;
@@ -210,8 +210,8 @@ TEST(LoneImpact, ManyAtATimeCostWhatBreaks) {
     EXPECT_EQ(report.unfinished_explicit, 0) << "step " << i;
   }
   EXPECT_GT(cracks, 50);
-  EXPECT_LT(substeps, 1.5 * kSteps) << "impacts do not cut steps";
-  EXPECT_LT(work, 8 * kSteps) << "[ms]";
+  EXPECT_LT(substeps, 1.5 * kLandingSteps) << "impacts do not cut steps";
+  EXPECT_LT(work, 8 * kLandingSteps) << "[ms]";
   const EnergyAccount& energy = world.frame().energy;
   EXPECT_LT(std::abs(energy.unaccounted()), 1e-3 * energy.turned_over());
 }
