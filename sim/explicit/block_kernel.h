@@ -44,9 +44,9 @@ inline void stretch(const Matrix b, const Matrix h, Matrix k) {
     for (int j = 0; j < 3; ++j) k[i][j] = b[j][i] + h[i][j] + b[0][i] * h[0][j] + b[1][i] * h[1][j] + b[2][i] * h[2][j];
 }
 
-/// Computes ½ (tr(S) I − S)⁻¹ a, S the symmetric part of I + K with K = RᵀF − I: half of the small rotation that makes
-/// RᵀF symmetric, if a is the axial vector of K. Zero for a flattened element, which keeps its rotation.
-inline void half_turn(const Matrix k, const Lanes a[3], Lanes turn[3]) {
+/// Computes ½ (tr(S) I − S)⁻¹, S the symmetric part of I + K with K = RᵀF − I. It maps the axial vector of K to half of
+/// the small rotation that makes RᵀF symmetric. Zero for a flattened element, which keeps its rotation.
+inline void turn_of_axial(const Matrix k, Symmetric turn) {
   const Lanes two = broadcast(2), half = broadcast(0.5F);
   const Lanes m00 = two + k[1][1] + k[2][2], m11 = two + k[0][0] + k[2][2], m22 = two + k[0][0] + k[1][1];
   const Lanes m01 = -half * (k[0][1] + k[1][0]), m02 = -half * (k[0][2] + k[2][0]), m12 = -half * (k[1][2] + k[2][1]);
@@ -54,19 +54,26 @@ inline void half_turn(const Matrix k, const Lanes a[3], Lanes turn[3]) {
   const Lanes c11 = m00 * m22 - m02 * m02, c12 = m01 * m02 - m00 * m12, c22 = m00 * m11 - m01 * m01;
   const Lanes determinant = m00 * c00 + m01 * c01 + m02 * c02;
   const Lanes factor = determinant > broadcast(0.05F) ? half / determinant : broadcast(0);
-  turn[0] = factor * (c00 * a[0] + c01 * a[1] + c02 * a[2]);
-  turn[1] = factor * (c01 * a[0] + c11 * a[1] + c12 * a[2]);
-  turn[2] = factor * (c02 * a[0] + c12 * a[1] + c22 * a[2]);
+  turn[0] = factor * c00, turn[1] = factor * c11, turn[2] = factor * c22;
+  turn[3] = factor * c01, turn[4] = factor * c12, turn[5] = factor * c02;
 }
 
-/// Rotates R toward the rotation of F.
-inline void follow_rotation(const Matrix h, Lanes q[4]) {
+/// Computes the product of a symmetric tensor and a vector.
+inline void multiply(const Symmetric s, const Lanes v[3], Lanes product[3]) {
+  product[0] = s[0] * v[0] + s[3] * v[1] + s[5] * v[2];
+  product[1] = s[3] * v[0] + s[1] * v[1] + s[4] * v[2];
+  product[2] = s[5] * v[0] + s[4] * v[1] + s[2] * v[2];
+}
+
+/// Rotates R toward the rotation of F. `turn_of`: turn_of_axial() before.
+inline void follow_rotation(const Matrix h, Lanes q[4], Symmetric turn_of) {
   Matrix b, k;
   rotation_less_identity(q, b);
   stretch(b, h, k);
   const Lanes a[3] = {k[2][1] - k[1][2], k[0][2] - k[2][0], k[1][0] - k[0][1]};
   Lanes turn[3];
-  half_turn(k, a, turn);
+  turn_of_axial(k, turn_of);
+  multiply(turn_of, a, turn);
   const Lanes &x = turn[0], &y = turn[1], &z = turn[2];
   const Lanes p[4] = {q[0], q[1], q[2], q[3]};
   q[0] = p[0] + p[3] * x + p[1] * z - p[2] * y;
@@ -75,6 +82,11 @@ inline void follow_rotation(const Matrix h, Lanes q[4]) {
   q[3] = p[3] - p[0] * x - p[1] * y - p[2] * z;
   const Lanes norm = broadcast(1) / root(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
   for (int i = 0; i < 4; ++i) q[i] *= norm;
+}
+
+inline void follow_rotation(const Matrix h, Lanes q[4]) {
+  Symmetric turn_of;
+  follow_rotation(h, q, turn_of);
 }
 
 /// Finds rotations where Newton's steps fail: after more than about a right angle.

@@ -56,6 +56,7 @@ void ExplicitBodies::part_edge(int edge, std::span<const int> copies, std::span<
     edges_[owner].count = static_cast<int>(stars[i].size());
     for (const int entry : stars[i]) {
       edge_stars_[at++] = entry;
+      parted_.push_back(slot_of_edge_entry(entry));
       quadratics_[entry / 6 / kLanes].edges[entry % 6][entry / 6 % kLanes] = owner;
     }
   }
@@ -100,12 +101,6 @@ std::span<const int> ExplicitBodies::tied_to(const int& edge) const {
   return edges_[edge].tie < 0 ? std::span(&edge, 1) : std::span(ties_[edges_[edge].tie]);
 }
 
-double ExplicitBodies::tied_mass(int edge) const {
-  double mass = 0;
-  for (const int tied : tied_to(edge)) mass += 1 / edges_[tied].inverse_mass;
-  return mass;
-}
-
 Vec3 ExplicitBodies::edge_force(int index) const {
   const ExplicitEdge& edge = edges_[index];
   Vec3 force = edge.acceleration / edge.inverse_mass;
@@ -114,13 +109,21 @@ Vec3 ExplicitBodies::edge_force(int index) const {
   return force;
 }
 
-Vec3 ExplicitBodies::edge_acceleration(int index) const {
+/// Returns the acceleration that edges would have without supports if these moved alike [m/s²].
+Vec3 ExplicitBodies::common_acceleration(std::span<const int> tied) const {
   Vec3 force = Vec3::Zero();
-  for (const int tied : tied_to(index)) force += edge_force(tied);
-  return edges_[index].allowed * force / tied_mass(index);
+  double mass = 0;
+  for (const int edge : tied) force += edge_force(edge), mass += 1 / edges_[edge].inverse_mass;
+  return force / mass;
+}
+
+Vec3 ExplicitBodies::edge_acceleration(int index) const {
+  return edges_[index].allowed * common_acceleration(tied_to(index));
 }
 
 void ExplicitBodies::advance_edges(double kick, double drift) {
+  std::vector<Vec3> of_ties;
+  for (const std::vector<int>& tied : ties_) of_ties.push_back(common_acceleration(tied));
   for (int i = 0; i < edge_count(); ++i) {
     const ExplicitEdge& edge = edges_[i];
     Quad sum = {};
@@ -128,7 +131,7 @@ void ExplicitBodies::advance_edges(double kick, double drift) {
     const WideQuad force = __builtin_convertvector(sum, WideQuad);
     WideQuad push = kick * (edge.inverse_mass * force + wide_vector(edge.acceleration));
     if (edge.tie >= 0) {
-      push = wide_vector(kick * edge_acceleration(i));
+      push = wide_vector(kick * (edge.allowed * of_ties[edge.tie]));
     } else if (!edge.is_free) {
       push = wide_vector(edge.allowed * Vec3(push[0], push[1], push[2]));
     }

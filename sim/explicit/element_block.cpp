@@ -34,7 +34,7 @@ void measure(const BlockLaw& law, const ElementBlock& block, const Symmetric rat
 
 template <ElementModel model>
 void force_elements_of(const BlockLaw& law, ElementBlock& block, const WideQuad* displacements, Quad* forces,
-                       ViscousWork& work, float viscosity) {
+                       ViscousWork& work, float viscosity, bool finds_largest) {
   Matrix h, rotation, product;
   Symmetric strain, stress, rate;
   displacement_gradient(block, displacements, h);
@@ -44,7 +44,7 @@ void force_elements_of(const BlockLaw& law, ElementBlock& block, const WideQuad*
     green_strain(h, strain);
   }
   for (int e = 0; e < 6; ++e) strain[e] = block.stiffness * (strain[e] - block.offset[e]);
-  const Lanes largest = max(largest_stress(law, strain), 0);
+  const Lanes largest = finds_largest ? max(largest_stress(law, strain), 0) : Lanes{};
   for (int e = 0; e < 6; ++e) {
     rate[e] = strain[e] - block.strain[e];
     block.strain[e] = strain[e];
@@ -64,12 +64,10 @@ void force_elements_of(const BlockLaw& law, ElementBlock& block, const WideQuad*
 }  // namespace
 
 void force_elements(const BlockLaw& law, ElementBlock& block, const WideQuad* displacements, Quad* forces,
-                    ViscousWork& work, float viscosity) {
-  if (law.model == ElementModel::corotational) {
-    force_elements_of<ElementModel::corotational>(law, block, displacements, forces, work, viscosity);
-  } else {
-    force_elements_of<ElementModel::green_strain>(law, block, displacements, forces, work, viscosity);
-  }
+                    ViscousWork& work, float viscosity, bool finds_largest) {
+  const auto force = law.model == ElementModel::corotational ? force_elements_of<ElementModel::corotational>
+                                                             : force_elements_of<ElementModel::green_strain>;
+  force(law, block, displacements, forces, work, viscosity, finds_largest);
 }
 
 Lanes work_of_last(const BlockLaw& law, const ElementBlock& block, const ViscousWork& work) {

@@ -42,8 +42,9 @@ struct ViscousWork {
 /// a microstep.
 ///   displacements  displacements of all nodes from their reference positions [m]; the fourth lane is meaningless
 ///   work           receives that of the preceding call, with the `viscosity` [-]
+///   finds_largest  if false, the fourth lane is 0
 void force_elements(const BlockLaw& law, ElementBlock& block, const WideQuad* displacements, Quad* forces,
-                    ViscousWork& work, float viscosity);
+                    ViscousWork& work, float viscosity, bool finds_largest);
 
 /// Returns the work of the last call, σ_j : ½ (ε_j − ε_{j−1}), for the motion up to it [J].
 Lanes work_of_last(const BlockLaw& law, const ElementBlock& block, const ViscousWork& work);

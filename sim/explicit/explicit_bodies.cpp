@@ -5,6 +5,7 @@
 
 #include "sim/core/parallel.h"
 #include "sim/elasticity/element_frequency.h"
+#include "sim/elasticity/quadratic_frequency.h"
 #include "sim/explicit/stars.h"
 #include "sim/fracture/fracture_law.h"
 
@@ -34,12 +35,6 @@ void relieve(ElementBlock& block, std::size_t lane, double fraction) {
 }
 
 }  // namespace
-
-double highest_quadratic_frequency(const ElasticLaw& law, double density, std::span<const RestElement> rest_elements) {
-  // Highest frequency of an element of any shape and Poisson's ratio over that of the linear one: at most 1.247.
-  constexpr double kOverLinear = 1.25;
-  return kOverLinear * std::ranges::max(element_frequencies(law, density, rest_elements));
-}
 
 int ExplicitBodies::add_node(const ExplicitNodeStart& start) {
   nodes_.push_back({.inverse_mass = 1 / start.mass});
@@ -73,6 +68,7 @@ void ExplicitBodies::add_body(const ElasticLaw& law, double density, std::span<c
                               std::span<const std::array<int, 6>> edges) {
   ExplicitBody body;
   body.law = {law.model, static_cast<float>(law.lambda), static_cast<float>(law.mu), 0};
+  body.density = density;
   body.first_block = static_cast<int>(blocks_.size());
   body.blocks = static_cast<int>(tets.size() + kLanes - 1) / kLanes;
   blocks_.resize(blocks_.size() + body.blocks);
@@ -99,7 +95,7 @@ void ExplicitBodies::add_body(const ElasticLaw& law, double density, std::span<c
     relieve_slivers(law, density, rest_elements, limit, body);
   } else {
     add_quadratic_blocks(edges, body);
-    body.frequency = highest_quadratic_frequency(law, density, rest_elements);
+    body.frequency = highest_quadratic_frequency(law, density, rest_elements, tets, edges);
   }
   body.damping = 2 * kDampingRatio / body.frequency;
   bodies_.push_back(body);
@@ -125,6 +121,7 @@ void ExplicitBodies::relieve_slivers(const ElasticLaw& law, double density, std:
 void ExplicitBodies::add_quadratic_blocks(std::span<const std::array<int, 6>> edges, const ExplicitBody& body) {
   for (int b = 0; b < body.blocks; ++b) {
     quadratic_of_block_[body.first_block + b] = static_cast<int>(quadratics_.size());
+    block_of_quadratic_.push_back(body.first_block + b);
     QuadraticBlock& block = quadratics_.emplace_back();
     for (int lane = 0; lane < kLanes; ++lane) {
       const std::size_t tet = std::min(edges.size() - 1, static_cast<std::size_t>(b * kLanes + lane));
@@ -186,29 +183,37 @@ double ExplicitBodies::stable_step(double courant) const {
 
 void ExplicitBodies::set_step(double dt) {
   dt_ = dt;
-  for (ExplicitBody& body : bodies_) body.law.viscosity = static_cast<float>(body.damping / dt);
+  follow_step();
+  for (ExplicitBody& body : bodies_) body.last_viscosity = body.law.viscosity;
 }
 
-void ExplicitBodies::compute_forces() {
+/// Sets viscosities for strains that change in a microstep.
+void ExplicitBodies::follow_step() {
+  for (ExplicitBody& body : bodies_) body.law.viscosity = static_cast<float>(body.damping / dt_);
+}
+
+void ExplicitBodies::compute_forces(bool finds_largest) {
   constexpr int kGrain = 256;  // 2,048 tets: fewer are done before another thread could start
   parallel_for(static_cast<int>(blocks_.size()), kGrain, [&](int begin, int end) {
     for (int b = begin; b < end; ++b) {
       const ExplicitBody& body = bodies_[block_bodies_[b]];
-      const auto viscosity = static_cast<float>(body.damping / dt_);
       Quad* forces = &forces_[4 * static_cast<std::size_t>(kLanes) * b].value;
       if (const int quadratic = quadratic_of_block_[b]; quadratic >= 0) {
         force_quadratic_elements(body.law, blocks_[b], quadratics_[quadratic], displacements(), forces,
                                  &edge_forces_[6 * static_cast<std::size_t>(kLanes) * quadratic].value,
-                                 viscous_works_[b], viscosity);
+                                 viscous_works_[b], body.last_viscosity, finds_largest);
       } else {
-        force_elements(body.law, blocks_[b], &displacements_[0].value, forces, viscous_works_[b], viscosity);
+        force_elements(body.law, blocks_[b], &displacements_[0].value, forces, viscous_works_[b], body.last_viscosity,
+                       finds_largest);
       }
     }
   });
+  for (ExplicitBody& body : bodies_) body.last_viscosity = body.law.viscosity;
 }
 
 void ExplicitBodies::advance(double kick, std::vector<int>& flagged) {
   flagged.clear();
+  follow_step();
   advance_nodes(kick * dt_, dt_, flagged);
   advance_edges(kick * dt_, dt_);
   for (int i = 0; i < static_cast<int>(constraints_.size()); ++i) hold(i, dt_);
@@ -268,6 +273,7 @@ void ExplicitBodies::part(int node, std::span<const int> copies, std::span<const
       stars_[at++] = entry;
       const int slot = entry / 4;
       blocks_[slot / kLanes].nodes[entry % 4][slot % kLanes] = corners_[slot][entry % 4] = owner;
+      if (quadratic_of_block_[slot / kLanes] >= 0) parted_.push_back(slot);
     }
   }
 }

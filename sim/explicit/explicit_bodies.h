@@ -69,16 +69,14 @@ struct ExplicitEdgeStart {
 
 /// Body in explicit dynamics.
 struct ExplicitBody {
-  BlockLaw law;        ///< law whose viscosity follows from `damping` and the microstep
-  double damping = 0;  ///< Rayleigh's β [s]
+  BlockLaw law;              ///< law whose viscosity follows from `damping` and the microstep
+  double damping = 0;        ///< Rayleigh's β [s]
+  float last_viscosity = 0;  ///< viscosity of the last forces [-]
+  double density = 0;        ///< [kg/m³]
   int first_block = 0, blocks = 0;
-  double frequency = 0;  ///< highest frequency of its elements, after some were relieved [rad/s]
+  double frequency = 0;  ///< frequency that sets its microstep, after some elements were relieved [rad/s]
   int relieved = 0;      ///< number of elements of reduced stiffness, which would limit the microstep otherwise
 };
-
-/// Returns the highest frequency of a body with quadratic elements, each of whose edges has the mass of all tets around
-/// it [rad/s]. Slivers are not relieved.
-double highest_quadratic_frequency(const ElasticLaw& law, double density, std::span<const RestElement> rest_elements);
 
 /// Tetrahedral bodies under explicit dynamics: lumped masses, symplectic Euler, eight elements at a time. State is in
 /// double precision, the elements' arithmetic in single precision on displacements from a placement near the present
@@ -113,10 +111,14 @@ class ExplicitBodies {
 
   /// Returns the stable microstep [s], the fraction `courant` of the limit.
   double stable_step(double courant) const;
+  /// Sets the length of microsteps [s].
   void set_step(double dt);
+  /// Changes the length of the microsteps from the next advance() on [s].
+  void change_step(double dt) { dt_ = dt; }
 
-  /// Computes the forces of all elements at the present displacements.
-  void compute_forces();
+  /// Computes the forces of all elements at the present displacements. Without their largest stresses advance() flags
+  /// no nodes.
+  void compute_forces(bool finds_largest = true);
   /// Moves all nodes by a microstep. Velocities change by the forces over the fraction `kick` of it. Velocities at the
   /// time of the positions take half a kick at first, and the other half from kick() (velocity Verlet). `flagged`
   /// receives the nodes at which an element's largest principal stress, or its equivalent tension, exceeds the node's
@@ -131,6 +133,9 @@ class ExplicitBodies {
 
   /// Separates an edge likewise; entries are edge_entry().
   void part_edge(int edge, std::span<const int> copies, std::span<const std::vector<int>> stars);
+  /// Raises the frequencies of quadratic bodies as their elements at nodes and edges parted since the last call
+  /// request: less mass moves with each. Returns true if one was raised.
+  bool raise_frequencies();
   /// Ties pairs of edges from now on, and releases all others. Edges that pairs connect move alike, with the mean of
   /// their momentum. Returns the kinetic energy that this takes [J], 0 if they moved alike before.
   double tie_edges(std::span<const std::pair<int, int>> pairs);
@@ -216,16 +221,20 @@ class ExplicitBodies {
   };
   static Vec3 vector(const WideQuad& q) { return {q[0], q[1], q[2]}; }
 
+  void follow_step();
   void advance_nodes(double kick, double drift, std::vector<int>& flagged);
   void advance_edges(double kick, double drift);
   void hold(int constraint, double drift);
   void relieve_slivers(const ElasticLaw& law, double density, std::span<const RestElement> rest_elements, double limit,
                        ExplicitBody& body);
+  RestElement rest_element(int slot) const;
+  int slot_of_edge_entry(int entry) const;
+  double bounding_frequency(int slot) const;
   void add_quadratic_blocks(std::span<const std::array<int, 6>> edges, const ExplicitBody& body);
   void list_edge_stars();
   double move_alike(std::span<const int> tied);
   std::span<const int> tied_to(const int& edge) const;
-  double tied_mass(int edge) const;
+  Vec3 common_acceleration(std::span<const int> tied) const;
   Vec3 edge_force(int edge) const;
   Vec3 edge_acceleration(int edge) const;
   QuadraticDisplacements displacements() const {
@@ -243,12 +252,14 @@ class ExplicitBodies {
   std::vector<CornerForce> forces_;          ///< forces by 4·slot + corner
   std::vector<int> stars_;
   std::vector<int> quadratic_of_block_;     ///< per block: index into quadratics_, -1 for linear ones
+  std::vector<int> block_of_quadratic_;     ///< per block of quadratic tets
   std::vector<QuadraticBlock> quadratics_;  ///< data of blocks of quadratic tets
   std::vector<ExplicitEdge> edges_;
   std::vector<std::vector<int>> ties_;  ///< groups of edges that move alike
   std::vector<NodeValue> edge_offsets_, edge_velocities_;
   std::vector<CornerForce> edge_forces_;  ///< forces by 6·(slot among quadratic ones) + edge
   std::vector<int> edge_stars_;
+  std::vector<int> parted_;  ///< slots of quadratic tets at nodes and edges parted since raise_frequencies()
   WideQuad lowest_ = {}, highest_ = {};
   double dt_ = 0, fastest_ = 0;
 };

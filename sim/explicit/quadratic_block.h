@@ -23,7 +23,7 @@ struct QuadraticDisplacements {
 /// edge_forces[6·lane + edge].
 void force_quadratic_elements(const BlockLaw& law, ElementBlock& block, QuadraticBlock& quadratic,
                               const QuadraticDisplacements& displacements, Quad* forces, Quad* edge_forces,
-                              ViscousWork& work, float viscosity);
+                              ViscousWork& work, float viscosity, bool finds_largest);
 
 /// As work_of_last() and settle_elements().
 Lanes work_of_last(const BlockLaw& law, const ElementBlock& block, const QuadraticBlock& quadratic);

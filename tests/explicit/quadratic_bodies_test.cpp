@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -175,6 +176,58 @@ TEST(QuadraticPane, TakesTheSpeedOfABallAsAPlateDoes) {
     RecordProperty("deflection_" + std::to_string(cells),
                    std::to_string(-pane.bodies.displacement(middle).z() / exact));
   }
+}
+
+/// Stresses are asked for where nodes are to be flagged; forces do not depend on it.
+TEST_P(QuadraticModels, MoveAlikeWithoutStresses) {
+  const TetSoup soup = make_box(Vec3(1, 1, 0.5), Vec3::Constant(0.25), BoxPattern::five_tet);
+  QuadraticBox with(soup, material(), curved), without(soup, material(), curved);
+  std::vector<int> flagged;
+  for (int i = 0; i < with.bodies.node_count(); ++i)
+    with.bodies.node(i).threshold = without.bodies.node(i).threshold = 1;
+  with.bodies.compute_forces();
+  with.bodies.advance(1, flagged);
+  EXPECT_FALSE(flagged.empty());
+  without.bodies.compute_forces(false);
+  without.bodies.advance(1, flagged);
+  EXPECT_TRUE(flagged.empty());
+  for (int i = 0; i < with.bodies.node_count(); ++i) EXPECT_EQ(with.bodies.velocity(i), without.bodies.velocity(i));
+}
+
+/// A corner that keeps a flat tet of a star has little mass for its stiffness: the microstep becomes shorter, and
+/// motion stays bounded.
+TEST(QuadraticSolid, ShortensItsMicrostepWhereItParts) {
+  const auto place = [](const Vec3& rest) { return curved(rest); };
+  TetSoup soup = make_box(Vec3(3, 3, 3), Vec3::Ones(), BoxPattern::kuhn);
+  int middle = 0;
+  for (int i = 0; i < static_cast<int>(soup.points.size()); ++i)
+    if (soup.points[i].norm() < soup.points[middle].norm()) middle = i;
+  soup.points[middle].x() += 0.9;
+  QuadraticBox box(soup, Material(), place);
+  const std::span<const int> star = box.bodies.star(middle);
+  const auto volume = [&](int entry) { return box.rest_elements[entry / 4].volume; };
+  const int smallest = *std::ranges::min_element(star, {}, volume);
+  std::vector<int> others(star.begin(), star.end());
+  std::erase(others, smallest);
+  const double before = box.bodies.stable_step(0.5), mass = box.material.density * volume(smallest) / 4;
+  EXPECT_FALSE(box.bodies.raise_frequencies());
+  const int copy = box.bodies.copy_node(middle, mass);
+  box.masses[middle] -= mass;
+  box.masses.push_back(mass);
+  box.bodies.node(middle).inverse_mass = 1 / box.masses[middle];
+  box.bodies.part(middle, std::array{copy}, std::array{others, std::vector{smallest}});
+  EXPECT_TRUE(box.bodies.raise_frequencies());
+  EXPECT_LT(box.bodies.stable_step(0.5), 0.9 * before);
+  box.bodies.set_step(box.bodies.stable_step(0.5));
+  const auto kinetic = [&] {
+    double sum = 0;
+    for (int i = 0; i < box.bodies.node_count(); ++i) sum += 0.5 * box.masses[i] * box.bodies.velocity(i).squaredNorm();
+    return sum;
+  };
+  box.advance(200);
+  const double early = kinetic();
+  box.advance(2000);
+  EXPECT_LT(kinetic(), 2 * early);
 }
 
 /// Edges of a body that was parted go on with the forces of their own tets.

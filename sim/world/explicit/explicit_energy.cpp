@@ -55,6 +55,13 @@ void ExplicitRun::begin_account() {
   first_.regime_change = relieved_energy(true);
 }
 
+/// Accounts for forces that act between microsteps of different lengths, in place of end_account() and begin_account().
+void ExplicitRun::account_change_of_microstep(double previous_dt) {
+  if (previous_dt == dt_) return;
+  const double ratio = previous_dt / dt_;
+  first_.time_integration += (1 - ratio * ratio) * explicit_bodies_.half_kick_energy();
+}
+
 /// Ends with the forces at the end. The forces of each microstep do work over half of the displacements before and
 /// after it, whose sum is the decrease of elastic energy. The remaining half kicks at both ends are the difference
 /// between the energy and that which the microsteps conserve.

@@ -147,36 +147,56 @@ std::vector<explicit_dynamics::SurfaceSide> ExplicitRun::surface_of_bodies() con
 
 const Body& ExplicitRun::body_of(NodeId node) const { return body_at(world_, node); }
 
+/// Returns the length of equal stable microsteps up to `end` [s].
+double ExplicitRun::stable_microstep(double end) const {
+  const double steps = std::ceil((end - time_) / explicit_bodies_.stable_step(kCourant) - 1e-9);
+  return (end - time_) / std::max(1.0, steps);
+}
+
+/// Returns the time between checks of overload [s]. One is made up to a part of a microstep too early.
+double ExplicitRun::check_interval() const {
+  double transit = std::numeric_limits<double>::infinity();
+  for (const BodyId id : bodies_) transit = std::min(transit, element_transit_time(world_, world_.bodies[id]));
+  return kCheckInterval * transit - (1 - kLateCheck) * dt_;
+}
+
 bool ExplicitRun::run(double duration, double max_work) {
   const double end = time_ + duration;
-  double previous_dt = 0;
-  while (end - time_ > 1e-9 * duration && !is_quiet()) {
+  const auto goes_on = [&] { return end - time_ > 1e-9 * duration && !is_quiet(); };
+  double previous_dt = 0, planned_dt = 0;
+  const auto shortening = [&] {
+    return dt_ < planned_dt ? planned_dt * static_cast<double>(microsteps_) / (time_ - start_) : 1;
+  };
+  while (goes_on()) {
     rebuild_ = false;
-    const int steps =
-        std::max(1, static_cast<int>(std::ceil((end - time_) / explicit_bodies_.stable_step(kCourant) - 1e-9)));
-    dt_ = (end - time_) / steps;
+    dt_ = stable_microstep(end);
+    if (planned_dt == 0) planned_dt = dt_;
     explicit_bodies_.set_step(dt_);
-    double transit = std::numeric_limits<double>::infinity();
-    for (const BodyId id : bodies_) transit = std::min(transit, element_transit_time(world_, world_.bodies[id]));
-    const double interval = kCheckInterval * transit - (1 - kLateCheck) * dt_;
-    for (int i = 0; i < steps && !rebuild_ && !is_quiet(); ++i) {
-      if (i == 0 || a_support_stops()) move_supports();
-      explicit_bodies_.compute_forces();
-      apply_loads({time_ - 0.5 * previous_dt, time_ + 0.5 * dt_}, i > 0 ? dt_ : 0);
-      if (i == 0) begin_account();
+    double interval = check_interval();
+    for (bool is_first = true; (is_first || goes_on()) && !rebuild_; is_first = false) {
+      if (is_first || a_support_stops()) move_supports();
+      const bool checks = time_ + dt_ - world_.overload_check > interval;
+      explicit_bodies_.compute_forces(checks);
+      apply_loads({time_ - 0.5 * previous_dt, time_ + 0.5 * dt_}, is_first ? 0 : previous_dt);
+      is_first ? begin_account() : account_change_of_microstep(previous_dt);
       explicit_bodies_.advance(0.5 * (1 + previous_dt / dt_), flagged_);
       previous_dt = dt_;
       time_ += dt_;
       ++microsteps_;
       contacts_->resolve(explicit_bodies_, dt_, min_speed_);
       record_impacts();
-      if (time_ - world_.overload_check > interval) check_overload();
+      if (checks) check_overload();
+      if (!rebuild_ && goes_on() && explicit_bodies_.raise_frequencies()) {
+        dt_ = stable_microstep(end);
+        explicit_bodies_.change_step(dt_);
+        interval = check_interval();
+      }
       if (world_.watch) show_moment();
-      if (work() > max_work) return account_work(), false;
+      if (work() > max_work) return account_work(shortening()), false;
     }
     contacts_->catch_up();
     if (rebuild_) explicit_bodies_.stop_viscosity();
-    explicit_bodies_.compute_forces();
+    explicit_bodies_.compute_forces(false);
     apply_loads({time_ - 0.5 * dt_, time_}, dt_);
     if (!rebuild_) explicit_bodies_.kick(0.5);
     end_account();
@@ -187,7 +207,7 @@ bool ExplicitRun::run(double duration, double max_work) {
       build({contacts_->obstacles().begin(), contacts_->obstacles().end()});
     }
   }
-  account_work();
+  account_work(1);
   return true;
 }
 
@@ -212,11 +232,12 @@ double ExplicitRun::work_of_elements() const {
   return kMicrostepWork * static_cast<double>(microsteps_) * linear_tets;
 }
 
-/// Records the work, from which the length of the next substeps and their scaling follow.
-void ExplicitRun::account_work() {
+/// Records the work, from which the length of the next substeps and their scaling follow. `shortening`: planned over
+/// actual length of the microsteps.
+void ExplicitRun::account_work(double shortening) {
   world_.report.microsteps += static_cast<int>(microsteps_);
   world_.scratch.microstep_work += work();
-  world_.explicit_overhead = work() / work_of_elements();
+  world_.explicit_overhead = shortening * work() / work_of_elements();
 }
 
 void ExplicitRun::record_impacts() {

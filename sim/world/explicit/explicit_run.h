@@ -129,11 +129,14 @@ class ExplicitRun {
   void let_sliver_yield(WorldState& world, TetId tet, const Mat3& strain) const;
   Mat3 elastic_strain(TetId tet, const Mat3& strain) const;
   void write_back(WorldState& world) const;
+  double stable_microstep(double end) const;
+  double check_interval() const;
   void begin_account();
+  void account_change_of_microstep(double previous_dt);
   void end_account();
   double work() const;
   double work_of_elements() const;
-  void account_work();
+  void account_work(double shortening);
   double relieved_energy(bool at_start) const;
   void add_external_works(EnergyAccount& spent) const;
   int local(NodeId node) const { return local_of_node_[node]; }

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "sim/elasticity/element_frequency.h"
+#include "sim/elasticity/quadratic_frequency.h"
 #include "sim/explicit/element_block.h"
 #include "sim/explicit/explicit_bodies.h"
 #include "sim/geometry/disjoint_sets.h"
@@ -110,7 +112,12 @@ struct Demand {
   double work() const { return microsteps * work_of_microstep(); }                ///< [µs]
 };
 
+bool has_quadratic(const WorldState& world) {
+  return std::ranges::any_of(world.bodies, [](const Body& body) { return body.explicit_state && !body.edges.empty(); });
+}
+
 Demand demand_of(const WorldState& world, double left) {
+  constexpr double kUsualOverhead = 1.25;  // of checks, cracks and contacts where the thin break
   Demand demand;
   for (const Body& body : world.bodies) {
     if (!body.explicit_state) continue;
@@ -122,7 +129,7 @@ Demand demand_of(const WorldState& world, double left) {
         std::max(demand.highest_frequency, body.explicit_state->similarity * body.explicit_state->frequency);
   }
   demand.microsteps = left * demand.highest_frequency / kMicrostepAtFrequency;
-  demand.overhead = world.explicit_overhead;
+  demand.overhead = std::max(world.explicit_overhead, has_quadratic(world) ? kUsualOverhead : 1);
   return demand;
 }
 
@@ -138,8 +145,7 @@ double unlimited_substep(const WorldState& world, double left) {
 /// are followed as far as linear ones of as many elements.
 double ceiling_of(const WorldState& world) {
   const double of_linear = std::max(kLeastCeiling, 1e3 * kCeiling * world.model->scene.simulation.step_budget);
-  const auto is_quadratic = [](const Body& body) { return body.explicit_state && !body.edges.empty(); };
-  return (std::ranges::any_of(world.bodies, is_quadratic) ? kQuadraticWork : 1) * of_linear;
+  return (has_quadratic(world) ? kQuadraticWork : 1) * of_linear;
 }
 
 double microsteps_left(const WorldState& world) {
@@ -160,13 +166,30 @@ ScaledImpact scaled_impact(const WorldState& world, const Body& body) {
 
 }  // namespace
 
+namespace {
+
+/// Returns the indices of each tet's items in the body's, which are sorted.
+template <class Items, class Item>
+auto indices_of(const Items& of_tets, const std::vector<TetId>& tets, const std::vector<Item>& of_body) {
+  std::vector<std::array<int, std::tuple_size_v<std::remove_cvref_t<decltype(of_tets[TetId()])>>>> indices;
+  for (const TetId tet : tets)
+    std::ranges::transform(of_tets[tet], indices.emplace_back().begin(), [&](Item item) {
+      return static_cast<int>(std::ranges::lower_bound(of_body, item) - of_body.begin());
+    });
+  return indices;
+}
+
+}  // namespace
+
 double highest_frequency(const WorldState& world, const Body& body) {
   const Material& material = world.material_of(body);
   std::vector<RestElement> rest_elements;
   for (const TetId tet : body.tets) rest_elements.push_back(world.elements.rest_elements[tet]);
   const ElasticLaw law = elastic_law(material);
-  if (!body.edges.empty()) return explicit_dynamics::highest_quadratic_frequency(law, material.density, rest_elements);
-  return highest_frequency(law, material.density, rest_elements);
+  if (body.edges.empty()) return highest_frequency(law, material.density, rest_elements);
+  return highest_quadratic_frequency(law, material.density, rest_elements,
+                                     indices_of(world.mesh->tets, body.tets, body.nodes),
+                                     indices_of(world.tet_edges->of_tet, body.tets, body.edges));
 }
 
 void limit_frequency(const WorldState& world, Body& body) {

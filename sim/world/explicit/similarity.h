@@ -42,7 +42,7 @@ double element_transit_time(const WorldState& world, const Body& body);
 /// every machine.
 inline constexpr double kMicrostepWork = 0.03;
 /// Work of a microstep of a quadratic tet relative to a linear one [-].
-inline constexpr double kQuadraticWork = 4;
+inline constexpr double kQuadraticWork = 3;
 
 /// Returns the time for which waves are followed after the last impact or crack: that of several crossings of the whole
 /// scene body [s].
