@@ -5,6 +5,7 @@
 
 #include "sim/core/tet_edge_corners.h"
 #include "sim/elasticity/element_kernel.h"
+#include "sim/elasticity/quadratic_batch.h"
 
 namespace griffith {
 namespace {
@@ -48,6 +49,12 @@ simd::Deformation<DoubleLanes> corner_deformations(ElementModel model, const sim
   return corners;
 }
 
+template <class Real>
+void set_lane(simd::Symmetric3<Real>& s, int lane, const simd::Symmetric3<double>& value) {
+  simd::set_lane(s.xx, lane, value.xx), simd::set_lane(s.yy, lane, value.yy), simd::set_lane(s.zz, lane, value.zz);
+  simd::set_lane(s.xy, lane, value.xy), simd::set_lane(s.xz, lane, value.xz), simd::set_lane(s.yz, lane, value.yz);
+}
+
 /// Returns the mean of the four lanes.
 simd::Symmetric3<double> mean_of(const simd::Symmetric3<DoubleLanes>& s) {
   const auto mean = [](const DoubleLanes& x) { return 0.25 * ((x[0] + x[1]) + (x[2] + x[3])); };
@@ -86,6 +93,14 @@ CornerTensors flowed_at_corners(const PlasticLaw& law, const simd::Deformation<D
   CornerTensors flowed;
   for (int v = 0; v < 4; ++v) flowed[v] = flow(law, deformations.of(v), stress_free[v]);
   return flowed;
+}
+
+/// Replaces the states of the corners by those of material that has flowed there.
+void read_flowed(const ElasticLaw& law, const PlasticLaw& plastic, const simd::Deformation<DoubleLanes>& deformations,
+                 const CornerTensors& stress_free, QuadraticState& state) {
+  const CornerTensors flowed = flowed_at_corners(plastic, deformations, stress_free);
+  const simd::State<DoubleLanes> read = simd::state_of(law, deformations, symmetric_lanes(flowed));
+  for (int v = 0; v < 4; ++v) state.corners[v] = read.of(v);
 }
 
 /// Returns the traction on corners that follows from the dependence of the rotation Q on F_0 = Q S. With δQ = Q Ω, the
@@ -173,10 +188,40 @@ QuadraticStates quadratic_states(const ElasticLaw& law, const RestElement& rest,
   set_forces(rest, weighted, states.state);
   if (law.model == ElementModel::corotational || whole.inverted)
     states.state.corner_traction += turning_traction(states.mean.frame, gradient, gradients, weighted);
-  if (!plastic) return states;
-  const CornerTensors flowed = flowed_at_corners(*plastic, deformations, stress_free);
-  const simd::State<DoubleLanes> read = simd::state_of(law, deformations, symmetric_lanes(flowed));
-  for (int v = 0; v < 4; ++v) states.state.corners[v] = read.of(v);
+  if (plastic) read_flowed(law, *plastic, deformations, stress_free, states.state);
+  return states;
+}
+
+std::array<QuadraticStates, 4> quadratic_stresses(const ElasticLaw& law, const std::array<PlacedQuadratic, 4>& elements,
+                                                  const std::optional<PlasticLaw>& plastic) {
+  std::array<Mat3, 4> gradients;
+  for (int i = 0; i < 4; ++i) gradients[i] = deformation_gradient(*elements[i].rest, elements[i].corners);
+  simd::Deformation<DoubleLanes> wholes = simd::deformation_of(law.model, simd::side_by_side(gradients));
+  std::array<QuadraticStates, 4> states;
+  simd::Symmetric3<DoubleLanes> mean_free;
+  for (int i = 0; i < 4; ++i) {
+    const PlacedQuadratic& placed = elements[i];
+    const simd::Deformation<double> whole{simd::numbers(wholes.frame.of(i)), {}, simd::lane_of(wholes.inverted, i)};
+    const simd::Deformation<DoubleLanes> deformations =
+        corner_deformations(law.model, whole, corner_gradients(*placed.rest, placed.corners, placed.offsets));
+    const simd::Symmetric3<DoubleLanes> free = symmetric_lanes(placed.stress_free);
+    set_lane(wholes.strain, i, mean_of(deformations.strain));
+    set_lane(mean_free, i, mean_of(free));
+    const simd::State<DoubleLanes> found = simd::state_of(law, deformations, free);
+    states[i].mean.energy_density = 0;
+    for (int v = 0; v < 4; ++v) {
+      states[i].state.corners[v] = found.of(v);
+      states[i].mean.energy_density += states[i].state.corners[v].energy_density;
+    }
+    if (plastic) read_flowed(law, *plastic, deformations, placed.stress_free, states[i].state);
+  }
+  const simd::State<DoubleLanes> means = simd::state_of(law, wholes, mean_free);
+  for (int i = 0; i < 4; ++i) {
+    const double energy_densities = states[i].mean.energy_density;
+    states[i].mean = means.of(i);
+    states[i].mean.energy_density = 0.8 * states[i].mean.energy_density + 0.05 * energy_densities;
+    states[i].mean_cauchy_stress = means.cauchy_stress.of(i);
+  }
   return states;
 }
 

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "sim/core/tet_edge_corners.h"
+#include "sim/elasticity/quadratic_batch.h"
 #include "sim/elasticity/quadratic_stiffness.h"
 #include "tests/elasticity/random_element.h"
 
@@ -91,6 +92,36 @@ TEST_P(QuadraticElement, ForcesHaveNoResultantAndNoTorque) {
     for (int i = 0; i < 10; ++i) torque += x.col(i).cross(force.col(i));
     EXPECT_LT(force.leftCols<4>().rowwise().sum().norm(), 1e-12 * force.norm());
     EXPECT_LT(torque.norm(), 1e-12 * force.norm());
+  }
+}
+
+/// Four at a time, one of them inverted.
+TEST_P(QuadraticElement, StressesOfFourHaveTheBitsOfOne) {
+  for (int trial = 0; trial < 20; ++trial) {
+    std::array<PlacedQuadratic, 4> placed;
+    std::array<RestElement, 4> rests;
+    for (int i = 0; i < 4; ++i) {
+      const Corners rest_corners = random_corners(random_);
+      rests[i] = rest_element(rest_corners);
+      Degrees x = random_degrees(rest_corners, 0.1);
+      if (i == trial % 5) x.row(0) *= -1;
+      const Mat3 free = random_.matrix(1e-3);
+      placed[i] = {&rests[i], x.leftCols<4>(), x.rightCols<6>(), at_all_corners(free + free.transpose())};
+    }
+    const std::array<QuadraticStates, 4> four = quadratic_stresses(law_, placed);
+    for (int i = 0; i < 4; ++i) {
+      const QuadraticStates one =
+          quadratic_states(law_, rests[i], placed[i].corners, placed[i].offsets, placed[i].stress_free);
+      EXPECT_EQ(four[i].mean.frame, one.mean.frame);
+      EXPECT_EQ(four[i].mean.stress.full(), one.mean.stress.full());
+      EXPECT_EQ(four[i].mean.tension.full(), one.mean.tension.full());
+      EXPECT_EQ(four[i].mean.energy_density, one.mean.energy_density);
+      EXPECT_EQ(four[i].mean_cauchy_stress, one.mean_cauchy_stress);
+      for (int v = 0; v < 4; ++v) {
+        EXPECT_EQ(four[i].state.corners[v].stress.full(), one.state.corners[v].stress.full());
+        EXPECT_EQ(four[i].state.corners[v].tensile_traction, one.state.corners[v].tensile_traction);
+      }
+    }
   }
 }
 

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <span>
 
+#include "sim/elasticity/quadratic_batch.h"
 #include "sim/world/bodies/effective_law.h"
 #include "sim/world/state/corners.h"
 #include "sim/world/state/world_state.h"
@@ -23,6 +26,24 @@ void find_quadratic_states(const WorldState& world, const Body& body, std::span<
   const ElasticLaw law = effective_elastic_law(world, body);
   const std::optional<PlasticLaw> plastic = plastic_law(world.material_of(body));
   for (const TetId tet : tets) write(tet, quadratic_states_at(world, law, plastic, tet));
+}
+
+/// Calls write(tet, states) likewise, with states that lack their forces.
+template <class Write>
+void find_quadratic_stresses(const WorldState& world, const Body& body, std::span<const TetId> tets,
+                             const Write& write) {
+  const ElasticLaw law = effective_elastic_law(world, body);
+  const std::optional<PlasticLaw> plastic = plastic_law(world.material_of(body));
+  for (std::size_t first = 0; first < tets.size(); first += 4) {
+    std::array<PlacedQuadratic, 4> placed;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const TetId tet = tets[std::min(first + i, tets.size() - 1)];
+      placed[i] = {&world.elements.rest_elements[tet], corners_of(world.mesh, tet, world.nodes.positions),
+                   edges_of(world.tet_edges, tet, world.edges.offsets), world.elements.corner_stress_free_strains(tet)};
+    }
+    const std::array<QuadraticStates, 4> states = quadratic_stresses(law, placed, plastic);
+    for (std::size_t i = 0; i < 4 && first + i < tets.size(); ++i) write(tets[first + i], states[i]);
+  }
 }
 
 /// Returns the strains at the corners of a quadratic tet at the present positions [-].

@@ -120,9 +120,11 @@ void ExplicitRun::update_linear_states(std::span<const TetId> tets, const Body& 
 }
 
 void ExplicitRun::update_quadratic_states(std::span<const TetId> tets, const Body& body) {
-  find_quadratic_states(world_, body, tets, [&](TetId tet, const QuadraticStates& found) {
-    world_.elements.states.edit()[tet] = found.mean;
-    world_.elements.quadratic_states.edit()[tet] = found.state;
+  std::vector<ElementState>& means = world_.elements.states.edit();
+  std::vector<QuadraticState>& states = world_.elements.quadratic_states.edit();
+  find_quadratic_stresses(world_, body, tets, [&](TetId tet, const QuadraticStates& found) {
+    means[tet] = found.mean;
+    states[tet].corners = found.state.corners;
   });
 }
 
