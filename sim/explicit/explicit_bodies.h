@@ -48,14 +48,14 @@ struct ExplicitNodeStart {
   double mass = 0;                   ///< [kg], > 0
 };
 
-/// Data of an edge of quadratic tets in the microsteps besides its offset.
+/// Data of an edge of quadratic tets in the microsteps besides its offset; what each of them needs comes first.
 struct ExplicitEdge {
-  double inverse_mass = 0;          ///< [1/kg]
-  int first = 0, count = 0;         ///< its range in the list of stars
-  Mat3 allowed = Mat3::Identity();  ///< projector onto directions not blocked by supports
+  double inverse_mass = 0;   ///< [1/kg]
+  int first = 0, count = 0;  ///< its range in the list of stars
+  int tie = -1;              ///< its group of tied edges, or -1
   bool is_free = true;
   Vec3 acceleration = Vec3::Zero();  ///< acceleration of its offset by external forces [m/s²]
-  int tie = -1;                      ///< its group of tied edges, or -1
+  Mat3 allowed = Mat3::Identity();   ///< projector onto directions not blocked by supports
 };
 
 /// Initial state of an edge in the microsteps: its midpoint relative to the middle of its ends.
