@@ -76,7 +76,7 @@ TEST(BondedPieces, PartsThatBondsHoldMoveAsOneBody) {
 }
 
 TEST(BondedPieces, AreNoNewBodiesWhenTheyAreTouchedAndBreakWhenTheyAreHit) {
-  World touched(struck_plate(1.0 / 240, {9, 0.1})), hit(struck_plate(1.0 / 240, {9, 30}));
+  World touched(struck_plate(1.0 / 240, {6, 0.1})), hit(struck_plate(1.0 / 240, {6, 30}));
   run(touched, 0.04);
   const std::size_t bodies = touched.frame().bodies.size();
   for (World* world : {&touched, &hit}) run(*world, 0.1);
