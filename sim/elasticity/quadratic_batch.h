@@ -4,7 +4,7 @@
 
 namespace griffith {
 
-/// What the stress of a quadratic tetrahedron follows from, as in quadratic_states().
+/// Arguments of quadratic_states() for one element.
 struct PlacedQuadratic {
   const RestElement* rest = nullptr;
   Corners corners;

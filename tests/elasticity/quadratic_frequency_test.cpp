@@ -105,7 +105,7 @@ TEST(QuadraticFrequency, BoundsRegularMeshesClosely) {
       }
 }
 
-/// Of shaken meshes, whose few stiffest elements may exceed it.
+/// Meshes that were shaken may exceed it by their few stiffest elements.
 TEST(QuadraticFrequency, BoundsIrregularMeshes) {
   const Vibrating box(shaken(make_box(Vec3(3, 3, 3), Vec3::Ones(), BoxPattern::kuhn), 0.2), 0.22);
   const double ratio = box.bound() / box.highest();
