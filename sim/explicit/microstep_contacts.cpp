@@ -274,7 +274,7 @@ void MicrostepContacts::catch_up() {
 
 void MicrostepContacts::resolve(ExplicitBodies& bodies, double dt, double min_speed) {
   recorded_impacts_.clear();
-  settle_pushed(bodies, dt);
+  settle_pushed(bodies, std::exchange(last_dt_, dt));
   hold_cracks(bodies, dt);
   for (std::size_t i = 0; i < obstacles_.size(); ++i)
     candidates_[i].empty() ? obstacles_[i].wait(dt) : obstacles_[i].move(dt);
