@@ -44,9 +44,15 @@ inline void stretch(const Matrix b, const Matrix h, Matrix k) {
     for (int j = 0; j < 3; ++j) k[i][j] = b[j][i] + h[i][j] + b[0][i] * h[0][j] + b[1][i] * h[1][j] + b[2][i] * h[2][j];
 }
 
+/// Map from the axial vector of K = RᵀF − I to half of the small rotation that makes RᵀF symmetric.
+struct TurnOfAxial {
+  Symmetric cofactors;
+  Lanes factor;
+};
+
 /// Computes ½ (tr(S) I − S)⁻¹, S the symmetric part of I + K with K = RᵀF − I. It maps the axial vector of K to half of
 /// the small rotation that makes RᵀF symmetric. Zero for a flattened element, which keeps its rotation.
-inline void turn_of_axial(const Matrix k, Symmetric turn) {
+inline void turn_of_axial(const Matrix k, TurnOfAxial& turn) {
   const Lanes two = broadcast(2), half = broadcast(0.5F);
   const Lanes m00 = two + k[1][1] + k[2][2], m11 = two + k[0][0] + k[2][2], m22 = two + k[0][0] + k[1][1];
   const Lanes m01 = -half * (k[0][1] + k[1][0]), m02 = -half * (k[0][2] + k[2][0]), m12 = -half * (k[1][2] + k[2][1]);
@@ -54,8 +60,7 @@ inline void turn_of_axial(const Matrix k, Symmetric turn) {
   const Lanes c11 = m00 * m22 - m02 * m02, c12 = m01 * m02 - m00 * m12, c22 = m00 * m11 - m01 * m01;
   const Lanes determinant = m00 * c00 + m01 * c01 + m02 * c02;
   const Lanes factor = determinant > broadcast(0.05F) ? half / determinant : broadcast(0);
-  turn[0] = factor * c00, turn[1] = factor * c11, turn[2] = factor * c22;
-  turn[3] = factor * c01, turn[4] = factor * c12, turn[5] = factor * c02;
+  turn = {{c00, c11, c22, c01, c12, c02}, factor};
 }
 
 /// Computes the product of a symmetric tensor and a vector.
@@ -65,8 +70,13 @@ inline void multiply(const Symmetric s, const Lanes v[3], Lanes product[3]) {
   product[2] = s[5] * v[0] + s[4] * v[1] + s[2] * v[2];
 }
 
+inline void multiply(const TurnOfAxial& turn_of, const Lanes axial[3], Lanes turn[3]) {
+  multiply(turn_of.cofactors, axial, turn);
+  for (int i = 0; i < 3; ++i) turn[i] = turn_of.factor * turn[i];
+}
+
 /// Rotates R toward the rotation of F. `turn_of`: turn_of_axial() before.
-inline void follow_rotation(const Matrix h, Lanes q[4], Symmetric turn_of) {
+inline void follow_rotation(const Matrix h, Lanes q[4], TurnOfAxial& turn_of) {
   Matrix b, k;
   rotation_less_identity(q, b);
   stretch(b, h, k);
@@ -85,7 +95,7 @@ inline void follow_rotation(const Matrix h, Lanes q[4], Symmetric turn_of) {
 }
 
 inline void follow_rotation(const Matrix h, Lanes q[4]) {
-  Symmetric turn_of;
+  TurnOfAxial turn_of;
   follow_rotation(h, q, turn_of);
 }
 

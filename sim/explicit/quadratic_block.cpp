@@ -37,10 +37,10 @@ constexpr int kOtherEnds[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
 
 /// Corotational turning: all corners have the frame of F_0, that of the corners' displacements.
 struct TurningFrame {
-  Matrix frame;       ///< R − I
-  Matrix stretch;     ///< RᵀF_0 − I
-  Symmetric turn_of;  ///< turn_of_axial() of the last step of the rotation
-  Lanes w[6][3];      ///< Rᵀ times the offsets of the edges [m]
+  Matrix frame;         ///< R − I
+  Matrix stretch;       ///< RᵀF_0 − I
+  TurnOfAxial turn_of;  ///< turn_of_axial() of the last step of the rotation
+  Lanes w[6][3];        ///< Rᵀ times the offsets of the edges [m]
 };
 
 /// Computes the turning of a rotation that has been updated.
