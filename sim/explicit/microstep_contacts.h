@@ -245,7 +245,7 @@ class MicrostepContacts {
   bool lists_bonds_ = false;
   bool have_bonds_opened_ = false;
   double lost_ = 0, fractured_ = 0, work_ = 0;
-  double last_dt_ = 0;  ///< of the last microstep [s]
+  double last_dt_ = 0;  ///< length of the last microstep [s]
   double element_size_, margin_ = 0;
   double travelled_ = 0;      ///< bound on the total approach of any two objects [m]
   double listed_until_ = -1;  ///< distance up to which the candidates are complete [m]
