@@ -125,7 +125,7 @@ struct Label {
 /// A horizontal plane that receives shadows, with a grid that shows the scale (GridLevel).
 struct Ground {
   float height = 0;  ///< y of the plane [m]
-  Rgb color = {0.40f, 0.39f, 0.38f};
+  Rgb color = {0.36f, 0.355f, 0.35f};
   /// False: only its extent matters. Depths of objects are rounded as in a picture with it, so that where two of them
   /// meet, both pictures show the same one.
   bool drawn = true;
@@ -143,7 +143,7 @@ struct Environment {
 
 /// A gradient from the horizon up, or the sky of the environment.
 struct Background {
-  Rgb top = {0.26f, 0.27f, 0.29f}, bottom = {0.56f, 0.56f, 0.56f};
+  Rgb top = {0.15f, 0.16f, 0.18f}, bottom = {0.43f, 0.435f, 0.44f};
   bool is_sky = false;  ///< shows the environment from standard quality on; the gradient is that of drafts
 };
 

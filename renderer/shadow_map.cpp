@@ -56,7 +56,7 @@ void ShadowMap::bind_clear() const {
 }
 
 ViewBlock ShadowMap::view(const Focus& focus, int texels) {
-  const Eigen::Vector3f light = Eigen::Vector3f(0.45f, 0.85f, 0.55f).normalized();
+  const Eigen::Vector3f light = Eigen::Vector3f(-0.55f, 0.78f, 0.55f).normalized();
   const Eigen::Vector3f right = Eigen::Vector3f::UnitY().cross(light).normalized();
   Eigen::Matrix3f axes;
   axes << right.transpose(), light.cross(right).transpose(), -light.transpose();

@@ -126,9 +126,9 @@ Vec3 throw_of(const Source& source, Chance& chance) {
 render::Puff puff_of(const Source& source, Chance& chance) {
   const double reach = kDrag * (1 - std::exp(-source.age / kDrag));
   const Vec3 thrown = throw_of(source, chance);
-  const double grown = 0.3 + 0.5 * chance() + 1.2 * (1 - std::exp(-source.age / 0.35));
+  const double grown = 0.3 + 0.5 * chance() + 1.9 * (1 - std::exp(-source.age / 0.35));
   const double left = 1 - source.age / kPuffTime, risen = std::min(source.age / 0.03, 1.0);
-  const double share = 0.3 + 0.2 * chance();
+  const double share = (0.3 + 0.2 * chance()) * std::pow(0.55 / grown, 1.4);  // the same dust, spread wider
   return {(source.place + reach * thrown).cast<float>(), static_cast<float>(0.45 * source.size * grown), source.color,
           static_cast<float>(source.openness * source.crumbling->dust * share * left * left * risen)};
 }

@@ -1,10 +1,10 @@
 // Surroundings made of formulas, in linear light: a studio with a lamp and two softboxes, or a clear sky with a sun. Smooth
 // faces mirror environment() and lamp_light(); rough ones a blurred version; all faces are lit by ambient_light().
-const vec3 kLampLight = vec3(1.00, 0.97, 0.91), kSunLight = vec3(1.20, 1.10, 0.93);  // on a face toward it
+const vec3 kLampLight = vec3(1.00, 0.97, 0.91), kSunLight = vec3(1.62, 1.38, 1.04);  // on a face toward it
 const vec3 kCeiling = vec3(0.34, 0.35, 0.36), kWalls = vec3(0.17, 0.175, 0.18);  // of the studio
-const vec3 kFillAxis = vec3(-0.78, 0.42, 0.46), kRimAxis = vec3(-0.30, 0.40, -0.866);
+const vec3 kFillAxis = vec3(0.78, 0.42, 0.46), kRimAxis = vec3(0.30, 0.40, -0.866);
 const vec3 kFill = vec3(0.86, 0.93, 1.00), kRim = vec3(1.9, 1.86, 1.80);
-const vec3 kZenith = vec3(0.16, 0.28, 0.52), kHorizon = vec3(0.58, 0.68, 0.80);
+const vec3 kZenith = vec3(0.09, 0.20, 0.46), kHorizon = vec3(0.52, 0.61, 0.71);
 
 bool is_sky() { return effects.w > 0.5; }
 
@@ -29,13 +29,28 @@ vec3 lamp_light(vec3 direction, float roughness) {
   return kSunLight / size * 0.35 * exp((dot(direction, light.xyz) - 1.0) / (0.5 * size));
 }
 
+float corner_value(ivec2 place) {
+  uint n = uint(place.x) * 73856093u ^ uint(place.y) * 19349663u;
+  n = (n ^ (n >> 15)) * 0x2c1b3c6du;
+  return float((n >> 12) & 0xffffu) / 65535.0;
+}
+
+// Returns a smooth random value in -1/2..1/2 on a plane.
+float speckle(vec2 place) {
+  ivec2 cell = ivec2(floor(place));
+  vec2 t = place - floor(place);
+  t = t * t * (3.0 - 2.0 * t);
+  float near = mix(corner_value(cell), corner_value(cell + ivec2(1, 0)), t.x);
+  return mix(near, mix(corner_value(cell + ivec2(0, 1)), corner_value(cell + ivec2(1, 1)), t.x), t.y) - 0.5;
+}
+
 // Light from a direction but for the lamp's.
 vec3 environment(vec3 direction, float roughness) {
   float horizon = 0.06 + 0.6 * roughness, above = smoothstep(-horizon, horizon, direction.y);
   vec3 ground = surroundings.rgb;
   if (is_sky()) {
     float height = max(direction.y, 0.0);
-    vec3 sky = mix(kHorizon, kZenith, 1.0 - exp(-3.2 * height));
+    vec3 sky = mix(kHorizon, kZenith, 1.0 - exp(-4.2 * height));
     float near_sun = max(dot(direction, light.xyz), 0.0);
     sky += vec3(0.30, 0.24, 0.15) * near_sun * near_sun * near_sun;
     return surroundings.w * mix(ground, sky, above);
@@ -50,7 +65,7 @@ vec3 environment(vec3 direction, float roughness) {
 // Light on a dull face from all sides but the lamp's.
 vec3 ambient_light(vec3 normal) {
   float up = 0.5 + 0.5 * normal.y;
-  if (is_sky()) return surroundings.w * mix(surroundings.rgb, vec3(0.36, 0.45, 0.60), up);
+  if (is_sky()) return surroundings.w * mix(surroundings.rgb, vec3(0.27, 0.34, 0.46), up);
   float fill = max(0.3 + 0.7 * dot(normal, kFillAxis), 0.0), rim = max(dot(normal, kRimAxis), 0.0);
   vec3 room = mix(surroundings.rgb, vec3(0.30, 0.305, 0.315), up);
   return surroundings.w * (room + 0.16 * kFill * fill + 0.14 * kRim * rim);

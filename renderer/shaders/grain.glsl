@@ -108,24 +108,37 @@ void grow_rings(inout Matter matter, vec3 place, vec3 fiber, float pixel) {
   matter.slope += 1.2 * seen(2.0 * pixel) * (fibers.xyz - fiber * dot(fiber, fibers.xyz));
 }
 
+// Share of joints within a pixel, exact along one axis: joints of that share of the period surround whole numbers.
+float joints_within(float place, float share, float pixel) {
+  vec2 ends = place + 0.5 * share + vec2(-0.5, 0.5) * pixel;
+  vec2 sums = share * floor(ends) + min(fract(ends), share);
+  return (sums.y - sums.x) / pixel;
+}
+
 // Bricks in running bond, courses along y, with mortar between them; `size`: length of a brick with a joint. Joints in the plane
 // of a face are not seen in it. `facing`: normal of the face at rest.
 void lay_bricks(inout Matter matter, vec3 rest, float size, float pixel, vec3 color, vec3 facing) {
   const vec3 kBrick = vec3(1.0, 0.31, 0.5), kMortar = vec3(0.70, 0.675, 0.63);
-  const float kJoint = 0.024, kBevel = 0.03, kMortarShare = 0.18;
-  vec3 place = rest / (size * kBrick);
+  const float kJoint = 0.024, kBevel = 0.03;
+  vec3 place = rest / (size * kBrick), share = 2.0 * kJoint / kBrick, width = max(pixel, 0.012) / kBrick;
   place.xz += 0.5 * mod(floor(place.y), 2.0);
+  vec3 joints;
+  for (int i = 0; i < 3; ++i) {
+    joints[i] = joints_within(place[i], share[i], width[i]);
+    float other = joints_within(place[i] + 0.5, share[i], width[i]);  // in the next course
+    if (i != 1) joints[i] = mix(joints[i], other, 0.5 * smoothstep(0.5, 1.5, width.y));
+  }
+  joints = mix(joints, share, smoothstep(0.5, 0.95, width.y));  // no moiré of courses that pixels hardly resolve
+  vec3 bricks = mix(1.0 - joints, vec3(1.0), step(0.7, abs(facing)));
+  float brick = bricks.x * bricks.y * bricks.z;
   vec3 within = fract(place) - 0.5;
   vec3 away = (0.5 - abs(within)) * kBrick + 9.0 * step(0.7, abs(facing));
-  float nearest = min(away.x, min(away.y, away.z)), joints_seen = 1.0 - smoothstep(0.14, 0.4, pixel / kBrick.y);
+  float nearest = min(away.x, min(away.y, away.z)), joints_seen = 1.0 - smoothstep(0.14, 0.4, width.y);
   vec3 across = sign(within) * step(away, vec3(nearest));
   vec4 random = lattice_value(ivec3(floor(place)));
-  float brick = smoothstep(kJoint - 0.5 * pixel, kJoint + 0.5 * pixel + 0.008, nearest);
   vec3 tone = 1.0 + vec3(0.34, 0.38, 0.36) * random.x + vec3(0.0, 0.10, 0.12) * random.y;
-  vec3 joint = kMortar * (1.0 + 0.12 * random.z) / max(color, 0.05);
-  vec3 mean = mix(vec3(1.0), kMortar / max(color, 0.05), kMortarShare);
-  tone = mix(vec3(1.0), tone, seen(pixel / kBrick.y));
-  matter.tint *= mix(mean * tone, mix(joint, tone, brick), joints_seen);
+  vec3 joint = kMortar * (1.0 + 0.12 * random.z * joints_seen) / max(color, 0.05);
+  matter.tint *= mix(joint, mix(vec3(1.0), tone, seen(width.y)), brick);
   matter.slope += joints_seen * 1.2 * across * (1.0 - smoothstep(kJoint, kJoint + kBevel, nearest)) * brick;
 }
 

@@ -17,32 +17,18 @@ float grid(vec2 place) {
 
 #ifdef PLAIN_LIGHT
 vec3 lit(vec3 shown, float grain) {
-  return reflected(shown, vec3(0.55 + 0.75 * light_visibility(position, vec3(0, 1, 0))));
+  return reflected(shown, vec3(0.75 + 1.1 * light_visibility(position, vec3(0, 1, 0))));
 }
 #else
-float corner_value(ivec2 place) {
-  uint n = uint(place.x) * 73856093u ^ uint(place.y) * 19349663u;
-  n = (n ^ (n >> 15)) * 0x2c1b3c6du;
-  return float((n >> 12) & 0xffffu) / 65535.0;
-}
-
-// Returns a smooth random value in -1/2..1/2 on a plane.
-float speckle(vec2 place) {
-  ivec2 cell = ivec2(floor(place));
-  vec2 t = place - floor(place);
-  t = t * t * (3.0 - 2.0 * t);
-  float near = mix(corner_value(cell), corner_value(cell + ivec2(1, 0)), t.x);
-  return mix(near, mix(corner_value(cell + ivec2(0, 1)), corner_value(cell + ivec2(1, 1)), t.x), t.y) - 0.5;
-}
-
-// Screed: dull, a little glossy at grazing angles, and mottled at three scales.
+// Screed: dull, a little glossy at grazing angles, and mottled at five scales.
 float mottling(vec2 place) {
   vec2 dx = dFdx(place), dy = dFdy(place);
-  float sum = 0.0, scale = 0.9;
-  for (int i = 0; i < 3; ++i) {
+  float sum = 0.0, scale = 1.1;
+  for (int i = 0; i < 5; ++i) {
     float pixel = scale * sqrt(max(dot(dx, dx), dot(dy, dy)));
-    sum += (1.0 - smoothstep(0.3, 0.9, pixel)) * speckle(scale * (mat2(0.8, -0.6, 0.6, 0.8) * place) + 7.3 * float(i));
-    scale *= 5.7;
+    place = mat2(0.8, -0.6, 0.6, 0.8) * place;
+    sum += (1.0 - smoothstep(0.3, 0.9, pixel)) * speckle(scale * place + 7.3 * float(i));
+    scale *= 3.3;
   }
   return sum;
 }
@@ -51,7 +37,7 @@ vec3 lit(vec3 shown, float grain) {
   const float kRoughness = 0.55;
   vec3 up = vec3(0, 1, 0);
   float visibility = light_visibility(position, up), openness = ambient_openness(position);
-  vec3 color = linear_from_srgb(shown) * (1.0 + 0.16 * mottling(grain * position.xz));
+  vec3 color = linear_from_srgb(shown) * (1.0 + 0.12 * mottling(grain * position.xz));
   return displayed(color * colored_illumination(up, visibility, openness) +
                    mirrored_light(vec3(0.02), position, up, kRoughness, visibility, openness));
 }

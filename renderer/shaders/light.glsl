@@ -24,7 +24,10 @@ float light_visibility(vec3 position, vec3 normal) { return texture(shadow_map, 
 
 float ambient_openness(vec3 position) { return 1.0; }
 
-vec3 colored_illumination(vec3 normal, float visibility, float openness) { return vec3(illumination(normal, visibility)); }
+// As bright as in other qualities.
+vec3 colored_illumination(vec3 normal, float visibility, float openness) {
+  return vec3(1.45 * illumination(normal, visibility));
+}
 
 // Reflects light, both encoded: sRGB is nearly a power, and one power is enough.
 vec3 reflected(vec3 color, vec3 light_here) { return min(color * pow(light_here.x, 1.0 / 2.2), 1.0); }

@@ -11,6 +11,15 @@ float noise() {
   return fract(52.9829189 * fract(dot(at, vec2(0.06711056, 0.00583715))));
 }
 
+// Returns another number in 0..1, independent of noise().
+float chance() {
+  uint n = uint(gl_FragCoord.x) * 73856093u ^ uint(gl_FragCoord.y) * 19349663u ^
+           floatBitsToUint(center.x + 3.7 * center.y + 5.3 * center.z) * 83492791u;
+  n = (n ^ (n >> 15)) * 0x2c1b3c6du;
+  n = (n ^ (n >> 12)) * 0x297a2d39u;
+  return float((n >> 12) & 0xffffu) / 65535.0;
+}
+
 // Returns a smooth random value in 0..1 on the puff, at two scales.
 float billows() {
   float sum = 0.0, scale = 1.7;
@@ -37,7 +46,7 @@ float share_before_bodies() {
 #endif
 
 // Denser toward the center, with light from all sides. Many faint puffs overlap, and rounding would shift their hue; so
-// each pixel has few stronger ones instead.
+// each pixel has few stronger ones instead, whose colors vary by what rounding takes.
 void main() {
   float density = max(1.0 - dot(place, place), 0.0);
   if (density == 0.0) discard;
@@ -50,6 +59,7 @@ void main() {
   light_here *= 0.9 + 0.25 * place.y;  // lit from above
   float thickness = color.a * density * smoothstep(0.0, 1.1, density + billows() - 0.45);
   float alpha = floor(kSteps * share_before_bodies() * thickness + noise()) / kSteps;
-  pixel_color = vec4(reflected(mix(color.rgb, vec3(1.0), 0.45), light_here), alpha);
+  vec3 shown = reflected(mix(color.rgb, vec3(1.0), 0.45), light_here);
+  pixel_color = vec4(shown + (chance() - 0.5) / (255.0 * max(alpha, 1.0 / kSteps)), alpha);
   pixel_id = -1;
 }

@@ -99,7 +99,7 @@ int pixels_like(const render::Image& image, const render::Rgb& color) {
     for (int x = 0; x < image.width; ++x) {
       const auto pixel = image.pixel(x, y);
       const Eigen::Vector3f seen(pixel[0], pixel[1], pixel[2]);
-      count += seen.norm() > 60 && seen.normalized().dot(wanted) > 0.97f;
+      count += seen.norm() > 60 && seen.normalized().dot(wanted) > 0.985f;
     }
   return count;
 }

@@ -152,7 +152,7 @@ TEST_F(HiddenBacksTest, ASelectionWithinGlassIsSeenFromBehind) {
 
 /// The lamp's map ends between a roof and the floor that the camera looks at.
 TEST_F(HiddenBacksTest, WhatIsOutOfSightTowardTheLampCastsItsShadow) {
-  const Vector3f to_lamp = Vector3f(0.45f, 0.85f, 0.55f).normalized();
+  const Vector3f to_lamp = Vector3f(-0.55f, 0.78f, 0.55f).normalized();
   const auto brightness = [&](bool roof) {
     DrawScene scene;
     scene.surface = octahedron(0.3f);

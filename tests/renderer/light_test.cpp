@@ -101,7 +101,7 @@ TEST_F(LightTest, AShadowInADraftIsAsLargeInAPictureOfAnySize) {
   const auto shaded_share = [](int scale) {
     DrawScene scene;
     scene.ground = Ground{0};
-    scene.spheres = {{{0, 0.6f, 0}, 0.4f}};
+    scene.spheres = {{{-1, 1, 0}, 0.7f}};
     RenderOptions how = options_of(Quality::draft);
     how.width *= scale;
     how.height *= scale;
