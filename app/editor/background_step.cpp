@@ -3,10 +3,13 @@
 #include <cassert>
 #include <utility>
 
+#include "sim/core/low_priority.h"
+
 namespace griffith::app {
 namespace {
 
 BackgroundStep::Made make(NextStep next, std::optional<StepPicture> picture) {
+  const LowPriority background;
   BackgroundStep::Made made{make_step(std::move(next)), std::move(picture)};
   if (made.picture) made.picture->draw(made.step.world.frame());
   return made;

@@ -3,11 +3,16 @@
 #include <chrono>
 #include <utility>
 
+#include "sim/core/low_priority.h"
+
 namespace griffith::app {
 
 HoldingSearch::HoldingSearch(const Timeline& timeline, NodeId node) : run_(run_to_crack(timeline, node)) {
   enter("what would have held it");
-  answer_ = std::async(std::launch::async, [this, before = timeline.world()] { return search(before); });
+  answer_ = std::async(std::launch::async, [this, before = timeline.world()] {
+    const LowPriority background;
+    return search(before);
+  });
 }
 
 std::string HoldingSearch::stage() const {

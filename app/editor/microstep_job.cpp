@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "sim/core/low_priority.h"
 #include "sim/core/number_text.h"
 
 namespace griffith::app {
@@ -11,6 +12,7 @@ namespace griffith::app {
 MicrostepJob::MicrostepJob(NextStep step, const std::optional<MicrostepRange>& range, std::size_t memory)
     : step_(step.world.frame().step + 1),
       result_(std::async(std::launch::async, [this, next = std::move(step), range, memory]() mutable {
+        const LowPriority background;
         return record(std::move(next), range, memory);
       })) {}
 

@@ -13,6 +13,7 @@
 #include "app/picture/picture_options.h"
 #include "app/shared/scene_files.h"
 #include "renderer/renderer.h"
+#include "sim/core/low_priority.h"
 #include "sim/core/monitor.h"
 #include "sim/core/replace_file.h"
 
@@ -65,6 +66,7 @@ class BakeExport : public RunExport {
  public:
   BakeExport(fs::path path, const Timeline& timeline) : last_step_(timeline.last_step()) {
     result_ = std::async(std::launch::async, [this, path = std::move(path), timeline]() mutable {
+      const LowPriority background;
       return bake_and_write(std::move(timeline), path, progress_);
     });
   }

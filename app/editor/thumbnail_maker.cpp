@@ -12,6 +12,7 @@
 #include "renderer/error.h"
 #include "sim/core/error.h"
 #include "sim/core/hash_bytes.h"
+#include "sim/core/low_priority.h"
 #include "sim/core/process.h"
 #include "sim/core/read_file.h"
 #include "sim/meshing/mesh_cache.h"
@@ -95,6 +96,7 @@ void ThumbnailMaker::make_all(const std::vector<fs::path>& scenes, const Thumbna
 ThumbnailMaker::ThumbnailMaker(std::vector<fs::path> scenes, ThumbnailSource source)
     : shared_(std::make_shared<Shared>()) {
   work_ = std::async(std::launch::async, [scenes = std::move(scenes), source = std::move(source), shared = shared_] {
+    const LowPriority background;
     make_all(scenes, source, *shared);
   });
 }

@@ -14,6 +14,7 @@
 #include "app/shared/processes.h"
 #include "app/shared/scene_files.h"
 #include "sim/core/error.h"
+#include "sim/core/low_priority.h"
 #include "sim/core/monitor.h"
 #include "sim/core/replace_file.h"
 
@@ -139,7 +140,10 @@ class BatchRender : public RunExport {
     const std::vector<std::string> command = {
         this_program(), "render", scenes.string(),   "--frame", std::to_string(request.step), "--size",
         size,           "-o",     pictures_.string()};
-    result_ = std::async(std::launch::async, [this, command] { return run(command); });
+    result_ = std::async(std::launch::async, [this, command] {
+      const LowPriority background;
+      return run(command);
+    });
   }
   ~BatchRender() override { cancelled_ = true; }
 

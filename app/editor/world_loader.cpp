@@ -7,6 +7,7 @@
 #include "app/shared/expected_mesh.h"
 #include "app/shared/scene_warnings.h"
 #include "app/shared/scene_world.h"
+#include "sim/core/low_priority.h"
 
 namespace griffith::app {
 
@@ -27,6 +28,7 @@ BuiltWorld build_world(Scene scene, const std::filesystem::path& path) {
 }
 
 WorldLoader::Loaded WorldLoader::build(const Order& order, const std::shared_ptr<Shared>& shared) {
+  const LowPriority background;
   const auto started = std::filesystem::file_time_type::clock::now();
   Monitor monitor;
   monitor.stage = [shared](std::string_view stage) {

@@ -75,7 +75,7 @@ TEST(IncludeRules, PanelsMakeNoGraphicsCallAndKnowNoWorld) {
 
 TEST(IncludeRules, ThirdPartyLibrariesStayInTheirPlaces) {
   expect_only_in(kBullet, "^sim/(contact/bullet/|geometry/convex_hull\\.cpp$)");
-  expect_only_in("^(tbb|oneapi/tbb)/", "^sim/core/parallel\\.cpp$");
+  expect_only_in("^(tbb|oneapi/tbb)/", "^sim/core/(parallel|low_priority)\\.cpp$");
   expect_only_in("^nlohmann/",
                  "^(sim/(scene/|recording/(assets|versions)\\.cpp$)|app/(editor/preferences_file|export/"
                  "(bake_json|html_player)|output/"

@@ -1,11 +1,17 @@
 #include "sim/core/parallel.h"
 
 #include <gtest/gtest.h>
+#ifdef __linux__
+#include <sys/resource.h>
+#endif
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <thread>
 #include <vector>
+
+#include "sim/core/low_priority.h"
 
 namespace griffith {
 namespace {
@@ -54,6 +60,19 @@ TEST(Parallel, PartsAreAsManyAsThreadsAndCoverAllOnce) {
       EXPECT_EQ(std::ranges::count(visits, 1), count);
     }
 }
+
+#ifdef __linux__
+TEST(LowPriority, IsThatOfAThreadAndOfItsWorkersAlone) {
+  const int usual = getpriority(PRIO_PROCESS, 0);
+  std::thread background([usual] {
+    const LowPriority low;
+    EXPECT_GT(getpriority(PRIO_PROCESS, 0), usual);
+    parallel_for(1 << 20, 1 << 10, [usual](int, int) { EXPECT_GT(getpriority(PRIO_PROCESS, 0), usual); });
+  });
+  background.join();
+  EXPECT_EQ(getpriority(PRIO_PROCESS, 0), usual);
+}
+#endif
 
 TEST(Parallel, SumsToTheSameBitsForAnyNumberOfThreads) {
   constexpr int kCount = 100'000;
