@@ -310,7 +310,7 @@ struct DrawRequest {
 };
 
 std::optional<QuantityValues> values_of(const Frame& frame, const ViewSettings& view) {
-  return is_scalar(view.quantity) ? std::optional(quantity_values(frame, *find_view_quantity(view.quantity)))
+  return is_scalar(view.quantity) ? std::optional(linear_values(frame, *find_view_quantity(view.quantity)))
                                   : std::nullopt;
 }
 
@@ -330,6 +330,7 @@ render::DrawScene drawn(const Frame& frame, const EmbeddedPieces& pieces, std::s
   result.embedded.selected_tet = selection.tet.index();
   add_colors(result, frame, pieces, view);
   if (values && filter.shows_embedded()) {
+    if (values->place == ValuePlace::corner) values = quantity_values(frame, *find_view_quantity(view.quantity));
     result.embedded.scalars_per_point = values->place == ValuePlace::node;
     result.embedded.scalars = std::move(values->values);
   }

@@ -78,9 +78,17 @@ std::uint8_t flags_of(const PictureTriangle& triangle, const Frame& frame, TetId
   return flags;
 }
 
-float node_scalar(const EdgePlace& place, const std::array<NodeId, 4>& nodes, const std::vector<float>& values) {
-  if (place.a == place.b) return values[nodes[place.a]];
-  return (1 - place.t) * values[nodes[place.a]] + place.t * values[nodes[place.b]];
+/// Returns the value of a linear field. `at`: its value at a corner.
+template <class At>
+float linear_scalar(const EdgePlace& place, const At& at) {
+  return place.a == place.b ? at(place.a) : (1 - place.t) * at(place.a) + place.t * at(place.b);
+}
+
+/// Returns the mean value in a tet.
+float mean_scalar(const QuantityValues& values, TetId tet) {
+  if (values.place == ValuePlace::tet) return values.values[tet];
+  const auto first = values.values.begin() + 4 * tet.index();
+  return (first[0] + first[1] + first[2] + first[3]) / 4;
 }
 
 /// An edge of a tet with its nodes ascending.
@@ -174,9 +182,13 @@ void add_scalars(const std::vector<PictureTriangle>& triangles, const Frame& fra
                  render::Surface& surface) {
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const PictureTriangle& triangle = triangles[i];
-    if (values.place == ValuePlace::node) {
-      for (const EdgePlace& place : triangle.corners)
-        surface.scalars.push_back(node_scalar(place, frame.elements.tets[triangle.tet], values.values));
+    const std::array<NodeId, 4>& nodes = frame.elements.tets[triangle.tet];
+    const auto at_corner = [&](std::size_t corner) {
+      return values.place == ValuePlace::node ? values.values[nodes[corner]]
+                                              : values.values[4 * triangle.tet.index() + corner];
+    };
+    if (values.place == ValuePlace::node || values.place == ValuePlace::corner) {
+      for (const EdgePlace& place : triangle.corners) surface.scalars.push_back(linear_scalar(place, at_corner));
     } else if (values.place == ValuePlace::tet) {
       surface.scalars.push_back(values.values[triangle.tet]);
     } else {
@@ -196,7 +208,8 @@ std::vector<render::Line> wireframe(const ShownMesh& shown, const QuantityValues
     float sum = 0;
     std::size_t end = i;
     for (; end < edges.size() && edges[end].a == edge.a && edges[end].b == edge.b; ++end)
-      if (values && values->place == ValuePlace::tet) sum += values->values[edges[end].tet];
+      if (values && (values->place == ValuePlace::tet || values->place == ValuePlace::corner))
+        sum += mean_scalar(*values, edges[end].tet);
     float value = sum / static_cast<float>(end - i);
     if (values && values->place == ValuePlace::node) value = 0.5f * (values->values[edge.a] + values->values[edge.b]);
     const float t = (value - style.minimum) / (style.maximum - style.minimum);

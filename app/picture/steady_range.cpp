@@ -14,7 +14,7 @@ void SteadyRange::follow(const Frame& frame, const std::string& quantity, const 
   step_ = frame.step;
   if (!is_scalar(quantity)) return range_.reset();
   const Vec2 now = values ? automatic_range(frame, quantity, *values)
-                          : automatic_range(frame, quantity, quantity_values(frame, *find_view_quantity(quantity)));
+                          : automatic_range(frame, quantity, linear_values(frame, *find_view_quantity(quantity)));
   if (!goes_on) {
     range_ = now;
     return;

@@ -11,6 +11,7 @@
 #include "sim/scene/field.h"
 #include "sim/scene/quantities.h"
 #include "sim/world/bodies/surface_point.h"
+#include "sim/world/output/corner_state.h"
 #include "sim/world/output/quantity_values.h"
 #include "sim/world/state/world_state.h"
 
@@ -120,19 +121,6 @@ struct ProbeSample {
   NodeSample node() const { return {displacement, velocity, reaction, separation}; }
   ElementSample element() const { return {stress, energy_density}; }
 };
-
-/// Stress and energy density in an element, or their mean over some.
-struct CornerState {
-  Mat3 stress = Mat3::Zero();  ///< Cauchy stress, world frame [Pa]
-  double energy_density = 0;   ///< [J/m³]
-};
-
-CornerState corner_state(const Frame& frame, const TetCorner& corner) {
-  const bool is_quadratic = !frame.elements.edges.empty() && frame.elements.edges[corner.tet][0].valid();
-  if (!is_quadratic) return {frame.elements.stresses[corner.tet], frame.elements.states[corner.tet].energy_density};
-  const ElementState& state = frame.elements.quadratic_states[corner.tet].corners[corner.corner];
-  return {cauchy_stress(state.frame, state.stress), state.energy_density};
-}
 
 /// Returns the mean over the elements at a node, weighted by their volumes.
 CornerState state_at(const ProbedNode& probed, NodeId node, const Frame& frame) {

@@ -1,9 +1,11 @@
 #include "sim/world/output/quantity_values.h"
 
+#include <algorithm>
 #include <cassert>
 #include <type_traits>
 
 #include "sim/core/parallel.h"
+#include "sim/world/output/corner_state.h"
 
 namespace griffith {
 namespace {
@@ -43,7 +45,7 @@ ValuePlace place_of_values(std::monostate) { return ValuePlace::tet; }
 
 std::size_t value_count(const Frame& frame, ValuePlace place) {
   if (place == ValuePlace::node) return frame.nodes.positions.size();
-  return (place == ValuePlace::face ? 4 : 1) * frame.elements.tets.size();
+  return (place == ValuePlace::tet ? 1 : 4) * frame.elements.tets.size();
 }
 
 /// Calls set(index, value) for each node, element or face, from many threads.
@@ -72,6 +74,32 @@ void fill_at_once(const Frame& frame, StressFunction function, std::span<float> 
     const auto first = static_cast<std::size_t>(begin), count = static_cast<std::size_t>(end - begin);
     function(frame.elements.stresses.subspan(first, count), values.subspan(first, count));
   });
+}
+
+/// Calls set(index, value) for each corner of the tets, from many threads.
+template <class Value, class Set>
+void for_each_corner(const Frame& frame, Value (*function)(const ElementSample&), const Set& set) {
+  constexpr int kGrain = 1024;
+  parallel_for(static_cast<int>(frame.elements.tets.size()), kGrain, [&](int begin, int end) {
+    for (int tet = begin; tet < end; ++tet)
+      for (int corner = 0; corner < 4; ++corner) {
+        const CornerState state = corner_state(frame, {TetId(tet), corner});
+        set(static_cast<std::size_t>(4 * tet + corner), function({state.stress, state.energy_density}));
+      }
+  });
+}
+template <class Other, class Set>
+void for_each_corner(const Frame&, Other, const Set&) {
+  assert(!"a quantity of stresses");
+}
+
+bool is_of_stress(const Quantity& quantity) {
+  return std::visit([]<class Function>(Function) { return std::is_invocable_v<Function, const ElementSample&>; },
+                    quantity.function);
+}
+
+bool has_quadratic_tets(const Frame& frame) {
+  return std::ranges::any_of(frame.elements.edges, [](const auto& edges) { return edges[0].valid(); });
 }
 
 /// Appends the values of a quantity of nodes in the middle of edges.
@@ -116,6 +144,14 @@ QuantityValues quantity_values(const Frame& frame, const Quantity& quantity) {
   }
   const auto set = [&](std::size_t i, const auto& value) { result.values[i] = static_cast<float>(scalar_of(value)); };
   std::visit([&](const auto function) { for_each_value(frame, function, set); }, quantity.function);
+  return result;
+}
+
+QuantityValues linear_values(const Frame& frame, const Quantity& quantity) {
+  if (!is_of_stress(quantity) || !has_quadratic_tets(frame)) return quantity_values(frame, quantity);
+  QuantityValues result{ValuePlace::corner, std::vector<float>(value_count(frame, ValuePlace::corner))};
+  const auto set = [&](std::size_t i, const auto& value) { result.values[i] = static_cast<float>(scalar_of(value)); };
+  std::visit([&](const auto function) { for_each_corner(frame, function, set); }, quantity.function);
   return result;
 }
 

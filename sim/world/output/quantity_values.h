@@ -11,7 +11,7 @@
 namespace griffith {
 
 /// Location of a quantity's values.
-enum class ValuePlace { tet, node, face };
+enum class ValuePlace { tet, node, face, corner };
 
 /// Returns the location of a quantity that has values.
 ValuePlace place_of(const Quantity& quantity);
@@ -19,11 +19,15 @@ ValuePlace place_of(const Quantity& quantity);
 /// A scalar field of a frame, for colors.
 struct QuantityValues {
   ValuePlace place = ValuePlace::tet;
-  std::vector<float> values;  ///< in the quantity's unit; for faces four per tet, NaN where there is none
+  std::vector<float> values;  ///< in the quantity's unit; of faces and corners four per tet, NaN where there is none
 };
 
 /// Returns the values of a quantity as scalars: of a vector or tensor the norm.
 QuantityValues quantity_values(const Frame& frame, const Quantity& quantity);
+
+/// Returns the same with the values of stresses at the corners of tets, if some are quadratic: stress is linear in
+/// them, and may differ between neighbors.
+QuantityValues linear_values(const Frame& frame, const Quantity& quantity);
 
 using QuantityArray = std::variant<std::vector<double>, std::vector<Vec3>, std::vector<Mat3>>;
 

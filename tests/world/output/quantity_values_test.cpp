@@ -153,6 +153,60 @@ TEST(QuantityValues, FollowInTheMiddleOfTheEdgesOfQuadraticElements) {
   }
 }
 
+/// A beam along x of 2 x 0.2 x 0.2 m whose right end is pulled down with 1 kN.
+Scene bent_beam(ElementOrder elements) {
+  Scene scene;
+  scene.gravity.setZero();
+  scene.ground.reset();
+  scene.analysis = Analysis::static_;
+  BodyDescription beam;
+  beam.shape = BoxShape{Vec3(2, 0.2, 0.2), Vec3::Constant(0.1), BoxPattern::five_tet};
+  beam.elements = elements;
+  beam.material = *find_material_preset("mild_steel");
+  beam.supports = {{HalfSpaceRegion{Vec3(-1, 0, 0), -Vec3::UnitX()}}};
+  Load load;
+  load.region = HalfSpaceRegion{Vec3(1, 0, 0), Vec3::UnitX()};
+  load.kind = LoadKind::traction;
+  load.traction = Vec3(0, -25000, 0);
+  beam.loads = {load};
+  scene.bodies = {beam};
+  return scene;
+}
+
+TEST(LinearValues, HaveTheMeanOfTheTetAndTheStressOfABeam) {
+  World world(bent_beam(ElementOrder::quadratic));
+  world.step();
+  const Frame frame = world.frame();
+  const Quantity& pressure = *find_quantity("pressure");
+  const QuantityValues corners = linear_values(frame, pressure), means = quantity_values(frame, pressure);
+  ASSERT_EQ(corners.place, ValuePlace::corner);
+  ASSERT_EQ(corners.values.size(), 4 * means.values.size());
+  const QuantityValues tension = linear_values(frame, *find_quantity("max_principal_stress"));
+  int compared = 0;
+  for (std::size_t tet = 0; tet < means.values.size(); ++tet) {
+    const float* at = &corners.values[4 * tet];
+    EXPECT_NEAR((at[0] + at[1] + at[2] + at[3]) / 4, means.values[tet], 500) << tet;  // Pa, of 1 MPa
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      const Vec3 place = frame.nodes.rest_positions[frame.elements.tets[TetId(static_cast<int>(tet))][corner]];
+      if (std::abs(place.x()) > 0.7 || place.y() < 0.0999) continue;
+      const double moment = 1000 * (1 - place.x()), second_moment = std::pow(0.2, 4) / 12;
+      EXPECT_NEAR(tension.values[4 * tet + corner], moment * place.y() / second_moment, 0.05e6);
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 100);
+}
+
+TEST(LinearValues, AreThoseOfTheTetsWithoutQuadraticOnes) {
+  World world(bent_beam(ElementOrder::linear));
+  world.step();
+  for (const Quantity* quantity : view_quantities()) {
+    if (!quantity->has_values()) continue;
+    const QuantityValues values = quantity_values(world.frame(), *quantity);
+    EXPECT_EQ(linear_values(world.frame(), *quantity).place, values.place);
+  }
+}
+
 TEST(QuantityTable, KeysDifferAndEachEntryIsUsed) {
   std::set<std::string_view> keys, used;
   for (const std::vector<const Quantity*>& listed : {view_quantities(), probe_quantities(), file_quantities()})
