@@ -2,6 +2,8 @@
 
 #include "app/editor/new_entry.h"
 #include "app/editor/placed_surface.h"
+#include "app/editor/starting_scene.h"
+#include "sim/scene/scene_reader.h"
 #include "ui/model/region_outline.h"
 #include "ui/model/scene_entry.h"
 
@@ -32,32 +34,16 @@ std::vector<BodyDescription> table() {
 }
 
 std::vector<BodyDescription> brick_wall() {
-  const Vec3 size(2.5, 2, 0.25);
-  BodyDescription wall = block("brick wall", "brick", size, Vec3(0.25, 0.25, 0.125), Vec3(0, size.y() / 2, 0));
-  // Masonry with its mortar: softer and weaker than a single brick, as in scenes/brick_wall.json.
-  wall.material.young_modulus = 1e9;
-  wall.material.tensile_strength = wall.material.fracture_toughness = 2.5e5;
-  wall.supports = {{HalfSpaceRegion{Vec3(0, -size.y() / 2, 0), Vec3(0, -1, 0)}}};
-  wall.splinters = BrickSplinters{Vec3(0.24, 0.065, 0.12), 0.01, Vec3(-1.245, -0.995, -0.125)};
+  BodyDescription wall = starting_scene().bodies.front();
+  wall.name = "brick wall";
   return {wall};
 }
 
-std::vector<BodyDescription> vase(const std::filesystem::path& surface) {
-  SurfaceShape shape;
-  shape.path = surface;
-  shape.meshing.element_size = 0.15;
-  shape.meshing.radius_edge_ratio = 4;
-  shape.meshing.min_dihedral_angle = 0;
-  BodyDescription body;
-  body.name = "vase";
-  body.shape = shape;
-  body.elements = ElementOrder::quadratic;
-  // As in scenes/vase_shot.json.
-  if (const std::optional<Material> preset = find_material_preset("porcelain")) body.material = *preset;
-  body.material.young_modulus = 2e10;
-  body.material.density = 2000;
-  body.material.tensile_strength = 1.2e7;
-  body.material.fracture_toughness = 6e5;
+std::vector<BodyDescription> vase(const std::filesystem::path& sample, const std::filesystem::path& folder) {
+  BodyDescription body = read_scene(sample).bodies.front();
+  auto& shape = std::get<SurfaceShape>(body.shape);
+  const std::filesystem::path surface = absolute(sample.parent_path() / shape.path).lexically_normal();
+  shape.path = folder.empty() ? surface : surface.lexically_proximate(absolute(folder).lexically_normal());
   return {body};
 }
 

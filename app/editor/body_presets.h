@@ -13,10 +13,11 @@ namespace griffith::app {
 /// Returns a table: a glass top of 1.2 x 0.7 m, 10 mm thick, on four wooden legs, 0.71 m high. Nothing is glued: the
 /// top lies on the legs.
 std::vector<BodyDescription> table();
-/// Returns a wall of bricks in running bond, 2.5 x 2 x 0.25 m, its foot held.
+/// Returns the wall of scenes/brick_wall.json: bricks in running bond, 2.5 x 2 x 0.25 m, its foot held.
 std::vector<BodyDescription> brick_wall();
-/// Returns a vase of earthenware, 0.52 m high with a wall of 30 mm. `surface`: its file, as written in the scene.
-std::vector<BodyDescription> vase(const std::filesystem::path& surface);
+/// Returns the vase of earthenware of scenes/vase_shot.json, 0.52 m high with a wall of 30 mm. `sample`: that file;
+/// `folder`: that of the scene which gets the vase, or an empty path. Throws InputError if the file has an error.
+std::vector<BodyDescription> vase(const std::filesystem::path& sample, const std::filesystem::path& folder);
 
 /// Places bodies on the ground next to all others, or around the origin of an empty scene, under names that are free.
 /// `frame`: of a world of the scene that may lack the last bodies.

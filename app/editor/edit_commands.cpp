@@ -97,10 +97,7 @@ void add_vase(Editor& e, const ui::Command& command) {
   if (sample == files.end())
     throw InputError("the vase", "is not there: no folder scenes with vase_shot.json is next to the program",
                      "start the program in its folder, or add a body from a surface");
-  const fs::path surface = fs::absolute(sample->parent_path() / "meshes/vase.obj").lexically_normal();
-  const fs::path& folder = e.document().scene().folder;
-  add_preset(e, command,
-             vase(folder.empty() ? surface : surface.lexically_proximate(fs::absolute(folder).lexically_normal())));
+  add_preset(e, command, vase(*sample, e.document().scene().folder));
 }
 
 const EditorCommand kEditCommands[] = {

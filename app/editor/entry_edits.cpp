@@ -37,6 +37,13 @@ void add_to_body(ui::EditHistory& history, ui::EditorState& state, const Frame& 
   });
 }
 
+/// Lists a material of its own name among the scene's, as in a scene that was read.
+void offer_material(const Material& material, Scene& scene) {
+  const bool is_known = find_material_preset(material.name).has_value() ||
+                        std::ranges::find(scene.materials, material.name, &Material::name) != scene.materials.end();
+  if (!is_known) scene.materials.push_back(material);
+}
+
 }  // namespace
 
 void add_bodies(ui::EditHistory& history, ui::EditorState& state, const std::string& label,
@@ -45,6 +52,7 @@ void add_bodies(ui::EditHistory& history, ui::EditorState& state, const std::str
   std::vector<SceneEntry> added;
   history.change(label, [&](Scene& scene) {
     for (BodyDescription& body : bodies) {
+      offer_material(body.material, scene);
       scene.bodies.push_back(std::move(body));
       added.push_back({EntryKind::body, last_of(scene.bodies)});
     }

@@ -233,6 +233,8 @@ TEST_F(Arrange, AVaseStandsWholeNextToTheRest) {
   execute("add.vase");
   ASSERT_EQ(scene().bodies.size(), 2u);
   EXPECT_EQ(scene().bodies[1].name, "vase");
+  ASSERT_EQ(scene().materials.size(), 1u) << "offered for others";
+  EXPECT_EQ(scene().materials[0], scene().bodies[1].material);
   for (int i = 0; i < 20; ++i) editor_.run().step();
   const Frame frame = editor_.run().frame();
   EXPECT_EQ(frame.crack_events.size(), 0u);
