@@ -19,7 +19,12 @@ std::string command_of(const RenderJob& job, const RenderedPicture& picture, con
       "griffith render " + scene.generic_string() + " --frame " + std::to_string(picture.record.frame);
   if (!picture.record.view.empty()) command += " --view " + picture.record.view;
   if (!picture.record.camera.empty()) command += " --camera " + picture.record.camera;
-  if (job.poster) command += " --quality poster";
+  if (job.quality)
+    command += " --quality " +
+               (job.poster ? "poster" : std::string(picture_quality_names()[static_cast<std::size_t>(*job.quality)]));
+  if (job.sky) command += " --environment sky";
+  if (!job.legend) command += " --no-legend";
+  command += " --size " + std::to_string(job.width) + "x" + std::to_string(job.height);
   return command + " -o " + job.name + ".png";
 }
 

@@ -24,13 +24,15 @@ TEST(Gallery, HasEachPictureWithItsSceneAndCommand) {
   small_wall_file();
   std::ofstream(test_folder() / "jobs.json") << R"({"defaults": {"size": [64, 36], "quality": "draft"}, "pictures": [
              {"name": "one", "scene": "small_wall.json"},
-             {"name": "two", "scene": "small_wall.json", "frames": 3, "cameras": ["side"], "views": ["material"]}]})";
+             {"name": "two", "scene": "small_wall.json", "frames": 3, "cameras": ["side"], "views": ["material"],
+              "environment": "sky", "legend": false}]})";
   const fs::path page = test_folder() / "page.md";
   const Outcome outcome = run_program("gallery " + (test_folder() / "jobs.json").string() + " -o " + page.string());
   ASSERT_EQ(outcome.code, 0) << outcome.output;
   const std::string text = file_text_of(page);
   for (const char* part :
-       {"![small wall](page/one.jpg)", "![small wall](page/two.jpg)", "--frame 3 --view material --camera side"})
+       {"![small wall](page/one.jpg)", "![small wall](page/two.jpg)",
+        "--frame 3 --view material --camera side --quality draft --environment sky --no-legend --size 64x36"})
     EXPECT_NE(text.find(part), std::string::npos) << part;
   for (const char* name : {"one", "two"}) {
     const render::Image image =
