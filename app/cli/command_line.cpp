@@ -12,6 +12,7 @@
 #include <new>
 #include <optional>
 #include <sstream>
+#include <string_view>
 #include <vector>
 
 #include "app/cli/commands.h"
@@ -72,6 +73,15 @@ int print_parse_result(const CLI::App& program, const CLI::Error& error) {
   return code;
 }
 
+/// Returns the arguments with "help COMMAND" as "COMMAND --help", as the options say it.
+std::vector<const char*> usual_arguments(int argc, const char* const* argv) {
+  std::vector<const char*> usual(argv, argv + argc);
+  if (argc < 2 || std::string_view(argv[1]) != "help") return usual;
+  usual.erase(usual.begin() + 1);
+  usual.push_back("--help");
+  return usual;
+}
+
 /// Parses the arguments. Returns the exit code after --help, --version or bad usage; empty if the arguments are good.
 std::optional<ExitCode> parse(CLI::App& program, int argc, const char* const* argv, const EditorOptions& editor,
                               const std::vector<Command>& commands) {
@@ -116,7 +126,8 @@ ExitCode run_arguments(int argc, const char* const* argv) {
   add_editor(program, editor, set);
   std::vector<Command> commands;
   for (const auto& add : kCommands) commands.push_back(add(program));
-  if (const std::optional<ExitCode> code = parse(program, argc, argv, editor, commands)) return *code;
+  const std::vector<const char*> usual = usual_arguments(argc, argv);
+  if (const auto code = parse(program, static_cast<int>(usual.size()), usual.data(), editor, commands)) return *code;
   for (const Command& command : commands) {
     if (!command.arguments->parsed()) continue;
     refuse_options_before(command, program);

@@ -63,6 +63,14 @@ TEST(CommandLine, BadUsageIsExitCode2WithAMessage) {
   }
 }
 
+TEST(CommandLine, HelpIsACommandToo) {
+  for (const std::string command : {"", "render ", "gallery "}) {
+    const Outcome outcome = run_program("help " + command);
+    EXPECT_EQ(outcome.code, 0) << command;
+    EXPECT_EQ(outcome.output, run_program(command + "--help").output) << command;
+  }
+}
+
 TEST(CommandLine, MissingFileIsExitCode2AndNamed) {
   for (const char* arguments : {"simulate no_such.json --frames 1", "render no_such.json -o a.png",
                                 "check no_such.json", "no_such.json", "mesh no_such.json -o a.msh"}) {
