@@ -91,7 +91,7 @@ std::unique_ptr<render::Renderer> ViewsTest::renderer_;
 std::unique_ptr<World> ViewsTest::world_, ViewsTest::struck_, ViewsTest::broken_;
 Scene ViewsTest::scene_;
 
-/// Pixels whose hue is that of `color`, lit or shaded.
+/// Pixels whose hue is that of `color`, lit or shaded, but not grays.
 int pixels_like(const render::Image& image, const render::Rgb& color) {
   const Eigen::Vector3f wanted = Eigen::Vector3f(color.r, color.g, color.b).normalized();
   int count = 0;
@@ -99,7 +99,8 @@ int pixels_like(const render::Image& image, const render::Rgb& color) {
     for (int x = 0; x < image.width; ++x) {
       const auto pixel = image.pixel(x, y);
       const Eigen::Vector3f seen(pixel[0], pixel[1], pixel[2]);
-      count += seen.norm() > 60 && seen.normalized().dot(wanted) > 0.985f;
+      const bool is_colored = seen.maxCoeff() - seen.minCoeff() > 0.15f * seen.maxCoeff();
+      count += is_colored && seen.norm() > 60 && seen.normalized().dot(wanted) > 0.97f;
     }
   return count;
 }
