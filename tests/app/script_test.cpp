@@ -327,6 +327,18 @@ class RandomActions : public EditorTest {
     if (editor_.run().frame().elements.tets.size() > 4000) editor_.builder().open(small_wall_file());
   }
 
+  /// Undoes all edits and makes them again: each scene returns.
+  void check_history() {
+    ui::EditHistory& history = editor_.document().history();
+    history.finish();
+    std::vector<Scene> scenes = {history.scene()};
+    for (; history.can_undo(); scenes.push_back(history.scene())) history.undo();
+    for (auto scene = scenes.rbegin() + 1; scene != scenes.rend(); ++scene) {
+      history.redo();
+      ASSERT_TRUE(history.scene() == *scene);
+    }
+  }
+
   std::mt19937 random_;
 };
 
@@ -341,6 +353,7 @@ TEST_F(RandomActions, LeaveAnEditorThatWorks) {
     ASSERT_TRUE(check_scene_text(scene_to_json(editor_.document().scene()), "scene").empty()) << "action " << i;
     check_files();
   }
+  check_history();
   editor_.execute({.name = "file.new", .discard_edits = true});
   draw(2);
   EXPECT_EQ(editor_.run().frame().step, 0);
