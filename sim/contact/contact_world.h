@@ -169,11 +169,6 @@ class ContactWorld {
   /// Leaves rigid groups at rest to the owner, too, in which the sweeps of the last solve() did not converge: few
   /// bodies, such as a tower of bars, of which each is carried by many others. `dt` as there.
   void leave_unsettled_groups(double dt);
-  /// Returns the contacts that objects come to within `dt` [s] > 0 by the impulses in contacts(), and that detection at
-  /// their earlier velocities did not list: an impact on one end of a rod swings the other to the ground. They are to
-  /// be put in by replace_contacts(), and everything solved again. Those of the objects in `left_out`, per ProxyId, are
-  /// not returned; objects beyond its end are not left out.
-  std::vector<Contact> missed_contacts(double dt, const std::vector<bool>& left_out) const;
   /// Returns the contacts of the groups that the last solve() left to the owner, each ascending.
   std::vector<std::vector<int>> elastic_groups() const;
   /// Law of a contact in the last solve().

@@ -191,9 +191,6 @@ void ContactWorld::drop_contacts_of(const std::vector<bool>& objects) { impl_->d
 int ContactWorld::solve(double dt, std::span<const ElasticObject> elastic, std::span<const HingedObject> hinged) {
   return impl_->solve(dt, elastic, hinged);
 }
-std::vector<Contact> ContactWorld::missed_contacts(double dt, const std::vector<bool>& left_out) const {
-  return impl_->missed_contacts(dt, left_out);
-}
 void ContactWorld::leave_unsettled_groups(double dt) { impl_->leave_unsettled_groups(dt); }
 std::vector<std::vector<int>> ContactWorld::elastic_groups() const { return impl_->elastic_groups(); }
 ContactWorld::Law ContactWorld::law(int contact) const { return impl_->laws[impl_->law_of_contact[contact]]; }

@@ -209,19 +209,7 @@ struct ContactWorld::Impl : contact::ContactState {
   void list_close_pairs(double dt);
   void erase_pairs(const std::function<bool(const contact::Pair&)>& gone);
   void find_points(double dt);
-  struct Placement {
-    const Pose& pose;
-    const contact::Place& place;  ///< the same
-  };
-  void find_points(const contact::Pair& pair, contact::Manifold& manifold, const Placement& at_a, const Placement& at_b,
-                   double gap) const;
-  struct EndOfStep;
-  std::vector<Contact> missed_contacts(double dt, const std::vector<bool>& left_out) const;
-  std::vector<EndOfStep> ends_of_step(double dt) const;
-  std::vector<contact::Pair> pairs_at_end(const std::vector<EndOfStep>& ends) const;
-  void add_missed(const contact::Pair& pair, const std::vector<EndOfStep>& ends, double dt,
-                  std::vector<Contact>& missed) const;
-  bool is_listed(const Contact& contact) const;
+  void find_points(const contact::Pair& pair, contact::Manifold& manifold, double gap) const;
   double with_fall(double speed, double dt) const;
   double reach(const contact::Object& a, const contact::Object& b, double dt) const;
   void update_allowances();

@@ -163,7 +163,8 @@ void ContactWorld::Impl::list_pair(std::span<const Pair> of_pair, double dt) {
   drop_contacts(first, drops);
 }
 
-/// True if a gap is small or closes within `dt` [s], even if something stops one of the two objects.
+/// True if a gap is small or closes within `dt` [s], even if something stops one of the two objects. Approaches that
+/// could cause damage are excluded: the owner predicts these itself.
 bool ContactWorld::Impl::is_near(const Pair& pair, const Contact& contact, double dt) const {
   const Object &a = objects[pair.a], &b = objects[pair.b];
   if (contact.distance < reach(a, b, 0)) return true;
@@ -173,7 +174,7 @@ bool ContactWorld::Impl::is_near(const Pair& pair, const Contact& contact, doubl
     return contact.normal.dot(state.velocity + state.angular_velocity.cross(arm));
   };
   const double of_a = -speed_along(a), of_b = speed_along(b), speed = std::max({of_a + of_b, of_a, of_b});
-  return contact.distance < dt * with_fall(speed, dt);
+  return contact.distance < dt * with_fall(speed, dt) && speed < std::min(a.impact_speed, b.impact_speed);
 }
 
 void ContactWorld::Impl::replace_contacts(const std::vector<bool>& taken_out, std::span<const Contact> put_in) {

@@ -156,23 +156,6 @@ void foresee_turns(const WorldState& world, TouchedBodies& touched, double dt) {
   for (TouchedBody& of : touched.bodies) foresee_turn(world, of, dt);
 }
 
-/// Returns, per ProxyId, true for the bodies in explicit dynamics: their contacts are left to the microsteps.
-std::vector<bool> explicit_objects(const WorldState& world) {
-  std::vector<bool> is_explicit(world.body_of_proxy.size(), false);
-  for (const Body& body : world.bodies)
-    if (body.explicit_state) is_explicit[body.proxy] = true;
-  return is_explicit;
-}
-
-/// Adds the contacts that objects come to by the impulses found. Returns true if there are any.
-bool add_missed_contacts(WorldState& world, double dt) {
-  const std::vector<Contact> missed = std::as_const(world.contact_world).missed_contacts(dt, explicit_objects(world));
-  if (missed.empty()) return false;
-  const std::size_t listed = world.contact_world.contacts().size();
-  world.contact_world.replace_contacts(std::vector<bool>(listed, false), missed);
-  return true;
-}
-
 /// Finds the impulses on which all that touches agrees. Rigid and sleeping bodies that must deform under them do.
 SolvedContacts solve_contacts(WorldState& world, double dt) {
   SolvedContacts solved{touched_bodies(world), {}};
@@ -181,7 +164,7 @@ SolvedContacts solve_contacts(WorldState& world, double dt) {
   foresee_turns(world, touched, dt);
   keep_contacts(touched, world.contact_world.drop_near_misses(dt, approach_speeds(world, touched, dt)));
   solved.groups = solve_elastic_contacts(world, touched, dt);
-  while (make_struck_bodies_elastic(world, dt) || add_missed_contacts(world, dt)) {
+  while (make_struck_bodies_elastic(world, dt)) {
     replace_contacts(world, spread_contacts(world, dt));
     touched = touched_bodies(world);
     foresee_turns(world, touched, dt);
@@ -220,6 +203,14 @@ ExternalForces external_forces(const WorldState& world, double dt) {
   return forces;
 }
 
+/// Leaves contacts of bodies in explicit dynamics to the microsteps.
+void drop_contacts_of_explicit_bodies(WorldState& world) {
+  std::vector<bool> is_explicit(world.body_of_proxy.size(), false);
+  for (const Body& body : world.bodies)
+    if (body.explicit_state) is_explicit[body.proxy] = true;
+  world.contact_world.drop_contacts_of(is_explicit);
+}
+
 void make_first_struck_elastic(WorldState& world, double duration) {
   const auto is_ballistic = [&](BodyId id) { return id.valid() && world.bodies[id].ballistic; };
   if (std::ranges::none_of(world.bodies, &Body::ballistic)) return;
@@ -234,7 +225,7 @@ void make_first_struck_elastic(WorldState& world, double duration) {
 
 void find_contacts(WorldState& world, double dt) {
   world.contact_world.detect(dt);  // before the prediction, by which all that rests is about to fall
-  world.contact_world.drop_contacts_of(explicit_objects(world));
+  drop_contacts_of_explicit_bodies(world);
   choose_quasi_static_bodies(world);
 }
 
