@@ -62,7 +62,14 @@ void Scripting::toggle_recording() {
   ask_where_to_save({});
 }
 
+bool Scripting::has_macro() {
+  if (recorded_.empty())
+    log_message(state_, ui::LogLevel::warning, "No action is recorded: choose Record macro, then act.");
+  return !recorded_.empty();
+}
+
 void Scripting::ask_where_to_save(fs::path proposed) {
+  if (!has_macro()) return;
   for (int number = 1; proposed.empty(); ++number) {
     const fs::path file = folder_ / ("macro " + std::to_string(number) + ".script");
     if (std::ranges::find(macros_, file) == macros_.end()) proposed = file;
@@ -72,7 +79,7 @@ void Scripting::ask_where_to_save(fs::path proposed) {
 }
 
 void Scripting::save(const ui::Command& command) {
-  if (!may_replace(state_, command, command.path)) return;
+  if (!has_macro() || !may_replace(state_, command, command.path)) return;
   replace_file(command.path, recorded_);
   list();
   log_message(state_, ui::LogLevel::info, "Saved the macro " + command.path.string());

@@ -45,6 +45,9 @@ class Scripting {
   std::optional<Script> take_request() { return std::exchange(requested_, std::nullopt); }
 
  private:
+  /// True if there is a macro to save; says so in the log if not.
+  bool has_macro();
+
   void list();
   MacroMoment moment() const;
 
