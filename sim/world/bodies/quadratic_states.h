@@ -12,12 +12,17 @@
 
 namespace griffith {
 
-/// Returns the states of a quadratic tet at the present positions, without further flow.
+/// Returns a quadratic tet at the present positions.
+inline PlacedQuadratic placed_quadratic(const WorldState& world, TetId tet) {
+  return {&world.elements.rest_elements[tet], corners_of(world.mesh, tet, world.nodes.positions),
+          edges_of(world.tet_edges, tet, world.edges.offsets), world.elements.corner_stress_free_strains(tet)};
+}
+
+/// Returns its states there, without further flow.
 inline QuadraticStates quadratic_states_at(const WorldState& world, const ElasticLaw& law,
                                            const std::optional<PlasticLaw>& plastic, TetId tet) {
-  return quadratic_states(law, world.elements.rest_elements[tet], corners_of(world.mesh, tet, world.nodes.positions),
-                          edges_of(world.tet_edges, tet, world.edges.offsets),
-                          world.elements.corner_stress_free_strains(tet), plastic);
+  const PlacedQuadratic placed = placed_quadratic(world, tet);
+  return quadratic_states(law, *placed.rest, placed.corners, placed.offsets, placed.stress_free, plastic);
 }
 
 /// Calls write(tet, states) for quadratic tets of a body, with their states as quadratic_states_at() finds them.
@@ -36,11 +41,7 @@ void find_quadratic_stresses(const WorldState& world, const Body& body, std::spa
   const std::optional<PlasticLaw> plastic = plastic_law(world.material_of(body));
   for (std::size_t first = 0; first < tets.size(); first += 4) {
     std::array<PlacedQuadratic, 4> placed;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const TetId tet = tets[std::min(first + i, tets.size() - 1)];
-      placed[i] = {&world.elements.rest_elements[tet], corners_of(world.mesh, tet, world.nodes.positions),
-                   edges_of(world.tet_edges, tet, world.edges.offsets), world.elements.corner_stress_free_strains(tet)};
-    }
+    for (std::size_t i = 0; i < 4; ++i) placed[i] = placed_quadratic(world, tets[std::min(first + i, tets.size() - 1)]);
     const std::array<QuadraticStates, 4> states = quadratic_stresses(law, placed, plastic);
     for (std::size_t i = 0; i < 4 && first + i < tets.size(); ++i) write(tets[first + i], states[i]);
   }
