@@ -6,6 +6,7 @@
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/bodies/expected_impacts.h"
 #include "sim/world/conditions/quick_changes.h"
+#include "sim/world/explicit/body_frequency.h"
 #include "sim/world/explicit/explicit_regime.h"
 #include "sim/world/explicit/similarity.h"
 #include "sim/world/fracture/fracture_phase.h"

@@ -4,6 +4,7 @@
 
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/energy/energy_phase.h"
+#include "sim/world/explicit/body_frequency.h"
 #include "sim/world/explicit/explicit_obstacles.h"
 #include "sim/world/explicit/explicit_run.h"
 #include "sim/world/explicit/similarity.h"

@@ -11,6 +11,7 @@
 #include "sim/world/bodies/expected_impacts.h"
 #include "sim/world/contact/contact_phase.h"
 #include "sim/world/energy/energy_phase.h"
+#include "sim/world/explicit/body_frequency.h"
 #include "sim/world/explicit/similarity.h"
 #include "sim/world/motion/elastic_phase.h"
 #include "sim/world/output/publish.h"

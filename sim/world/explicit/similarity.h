@@ -1,6 +1,5 @@
 #pragma once
 
-#include "sim/elasticity/element_frequency.h"
 #include "sim/world/state/world_state.h"
 
 /// Dynamic similarity of bodies in explicit dynamics, for impacts that would take more microsteps than the budget
@@ -9,13 +8,6 @@
 /// at equal density and speed of impact, stresses are σ′ = f σ, and cracks go the same way 1/f times slower, in as many
 /// microsteps 1/f times longer. It holds for as long as the impact is slow against the slowed waves.
 namespace griffith {
-
-/// Returns the highest frequency of the body's elements under the full stiffness, without slivers that are relieved
-/// [rad/s].
-double highest_frequency(const WorldState& world, const Body& body);
-
-/// Updates the frequency limit of a body in explicit dynamics, which may be a new piece.
-void limit_frequency(const WorldState& world, Body& body);
 
 /// Reduces f of bodies in explicit dynamics if the microsteps to be made would exceed the budget,
 /// `left` [s] before the end of the step.

@@ -5,6 +5,7 @@
 
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/bodies/expected_impacts.h"
+#include "sim/world/explicit/body_frequency.h"
 #include "sim/world/explicit/similarity.h"
 
 namespace griffith {
