@@ -46,6 +46,12 @@ enum class Mobility {
               ///< moves it touches the ground, which its elastic answer may stop, but nothing else that is held
 };
 
+/// Time at which a contact has its position. As wide as a number: contacts are hashed by their bytes.
+enum class PositionTime : std::int64_t {
+  start,  ///< of the substep
+  mean,   ///< mean over the substep, of a point that turns far
+};
+
 /// Point at which two objects touch or soon will: gaps up to 2 % of the smaller object's radius are listed. Two convex
 /// parts have at most four. Between detect() and solve() the owner may correct the distance and add contacts.
 struct Contact {
@@ -57,6 +63,7 @@ struct Contact {
   Vec3 impulse = Vec3::Zero();  ///< on a, in the substep just solved; b gets the opposite [N·s]
   NodeId node_a = {},
          node_b = {};  ///< nodes of the owner that touch here; at least one in contacts set by the owner, else none
+  PositionTime position_at = PositionTime::start;
 };
 
 /// Elastic object and the velocities of its points at contacts, without contact forces.
@@ -236,6 +243,21 @@ class ContactWorld {
   using PairFilter = std::function<bool(ProxyId, ProxyId)>;
   std::vector<Encounter> expected_impacts(double dt, double minimum_speed, double tolerance,
                                           const PairFilter& matters = {}) const;
+
+  /// Two objects that come together within a substep at points that contacts() lacks.
+  struct Meeting {
+    std::array<ProxyId, 2> objects;    ///< the ground last
+    std::array<RigidState, 2> starts;  ///< poses at its start, with the velocities by the impulses in contacts()
+    std::vector<Contact> points;       ///< where they overlap at its end
+    std::optional<Encounter> impact;   ///< if they meet fast enough to cause damage
+  };
+  /// Returns the meetings within a substep of `dt` [s] > 0, by the impulses in contacts(), that detection left out: of
+  /// approaches that could cause damage, and of objects that impulses divert, such as the far end of a rod that is
+  /// struck. Their points may be put in by replace_contacts(), and everything solved again. Of
+  /// groups that solve() left to the owner, only deep overlaps count. Objects marked in `left_out`, per ProxyId, are
+  /// omitted; those beyond its end are not. Other arguments as of expected_impacts().
+  std::vector<Meeting> unlisted_meetings(double dt, double minimum_speed, double tolerance,
+                                         const std::vector<bool>& left_out) const;
 
   /// Returns a hash of the state between substeps: impulses at contacts, allowed overlaps, sleepers.
   std::uint64_t memory_hash() const;

@@ -26,6 +26,7 @@ void prepare(Point& point, const Block& block, const RigidContact& contact, cons
   point.arm_a = Triple(contact.arm_a);
   point.arm_b = Triple(contact.arm_b);
   point.distance = contact.distance;
+  point.is_mean = contact.is_mean;
   point.resting = contact.resting;
   point.restitution = contact.restitution;
   point.approach = contact.approach;

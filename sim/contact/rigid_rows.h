@@ -54,6 +54,7 @@ struct Point {
   double restitution = 0, approach = 0, fall = 0;
   Triple before, direction;  ///< impulses before the present sweep; the last change [N·s]
   int contact = 0;           ///< index into all
+  bool is_mean = false;      ///< as the contact has it
 };
 
 /// Contacts of two bodies with the same normal.

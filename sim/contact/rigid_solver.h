@@ -26,6 +26,7 @@ struct RigidContact {
   int a = 0, b = 0;                                 ///< bodies
   Vec3 normal = Vec3::Zero();                       ///< unit, from b to a
   Vec3 arm_a = Vec3::Zero(), arm_b = Vec3::Zero();  ///< arms from the centers or hinges [m]
+  bool is_mean = false;         ///< arms are the means in the step: its end decides, not the way there
   double fallen = 0;            ///< depth along gravity: sweeps downward through a pile carry its load at once
   double distance = 0;          ///< [m], negative where they overlap by more than is allowed
   double resting = 0;           ///< overlap that stays [m]

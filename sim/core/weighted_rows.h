@@ -10,6 +10,7 @@ namespace griffith {
 struct WeightedRows {
   std::array<int, 3> rows;  ///< -1 for a fixed node
   std::array<Mat3, 3> weights;
+  bool operator==(const WeightedRows&) const = default;
 };
 
 }  // namespace griffith

@@ -25,6 +25,7 @@ struct DeformableInertia {
 struct RigidInertia {
   double mass = 1;                  ///< [kg], > 0
   Mat3 inertia = Mat3::Identity();  ///< about the center of mass, world frame [kg·m²]
+  bool operator==(const RigidInertia&) const = default;
 };
 
 /// One side of a contact. It does not move under impulses where `body` is -1.
@@ -34,6 +35,7 @@ struct ContactSide {
   WeightedRows point = {};     ///< point on the surface of a deformable body
   Vec3 offset = Vec3::Zero();  ///< offset of the contact from it, turning with the body as a whole [m]
   Vec3 arm = Vec3::Zero();     ///< offset of the contact from the center of mass of a rigid body [m]
+  bool operator==(const ContactSide&) const = default;
 };
 
 /// A contact with friction. Vectors are along `axes`: the normal from b to a, and two tangents.

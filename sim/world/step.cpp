@@ -52,8 +52,9 @@ void fracture(WorldState& world, double substep) {
   if (world.model->scene.simulation.fracture) timed(ms.fracture, [&] { open_cracks(world, substep); });
 }
 
-/// Computes contacts and motion of all objects except the bodies in explicit dynamics.
-void move(WorldState& world, double dt) {
+/// Computes contacts and motion of all objects except the bodies in explicit dynamics. Contacts that come about in the
+/// substep are solved with the others where `leave` does not remove them.
+void move(WorldState& world, double dt, const MeetingFilter& leave = {}) {
   StepTimings& ms = world.report.milliseconds;
   update_supports(world, world.time, dt);
   timed(ms.contact, [&] { find_contacts(world, dt); });
@@ -66,7 +67,7 @@ void move(WorldState& world, double dt) {
   const std::vector<Vec3> external = std::move(forces.nodes);
   world.scratch.edge_loads = std::move(forces.edges);
   timed(ms.elasticity, [&] { predict_velocities(world, external, dt); });
-  std::vector<ElasticMove> moves = timed(ms.contact, [&] { return resolve_contacts(world, external, dt); });
+  std::vector<ElasticMove> moves = timed(ms.contact, [&] { return resolve_contacts(world, external, dt, leave); });
   timed(ms.elasticity, [&] { move_bodies(world, external, std::move(moves), dt); });
 }
 
@@ -126,9 +127,11 @@ std::int64_t observed_microsteps(const WorldState& world) { return world.watch ?
 
 /// Moves everything on by `substep` [s]: by microsteps what is in explicit dynamics, all else by one implicit substep.
 /// False where the microsteps would take more than `max_work`: the world is of no use then.
-bool move_along(WorldState& world, double substep, double max_work) {
+bool move_along(WorldState& world, double substep, double max_work, StepImpacts& impacts) {
   const std::vector<explicit_dynamics::Obstacle> obstacles = reachable_obstacles(world, substep);
-  move(world, substep);
+  move(world, substep, [&](const WorldState& now, std::vector<ContactWorld::Meeting>& meetings) {
+    impacts.take_harmful(now, substep, meetings);
+  });
   if (!any_explicit(world)) return true;
   return timed(world.report.milliseconds.explicit_dynamics, [&] {
     const bool is_done = run_explicit(world, obstacles, substep, max_work);
@@ -139,15 +142,15 @@ bool move_along(WorldState& world, double substep, double max_work) {
 
 /// Moves everything on by `substep` [s]. Where that takes more than half of the work that is left for microsteps in
 /// this step, restores the state before except for the measured cost: impacts and cracks make it hard to predict.
-bool move_within_ceiling(WorldState& world, double substep) {
+bool move_within_ceiling(WorldState& world, double substep, StepImpacts& impacts) {
   constexpr double kUncertainty = 16;  // contacts, checks and cracks may take so many times what was expected
   const double max_work = 0.5 * work_left(world);
   if (kUncertainty * expected_work(world, substep) < max_work)
-    return move_along(world, substep, std::numeric_limits<double>::infinity());
+    return move_along(world, substep, std::numeric_limits<double>::infinity(), impacts);
   const WorldState before = world;
   const std::int64_t microstep = observed_microsteps(world);
   world.elements.own_states();
-  if (move_along(world, substep, max_work)) return true;
+  if (move_along(world, substep, max_work, impacts)) return true;
   const double work = world.scratch.microstep_work, overhead = world.explicit_overhead;
   restore(world, before, microstep);
   world.scratch.microstep_work = work;
@@ -158,15 +161,15 @@ bool move_within_ceiling(WorldState& world, double substep) {
 /// Moves everything on by `substep` [s]. Where the nonlinear step of a soft body does not converge, or one turns so far
 /// that it comes to lie below the ground, restores the state before and halves the limit, but not more than some times
 /// in a step.
-bool move_within_strains(WorldState& world, double substep, StrainLimit& limit) {
+bool move_within_strains(WorldState& world, double substep, StrainLimit& limit, StepImpacts& impacts) {
   constexpr double kDeep = 1e-3;  // in sizes of elements
   constexpr int kMaxUndone = 12;
   if (substep < 2 * limit.shortest || limit.undone == kMaxUndone || !may_strain_far(world))
-    return move_within_ceiling(world, substep);
+    return move_within_ceiling(world, substep, impacts);
   const WorldState before = world;
   const std::int64_t microstep = observed_microsteps(world);
   world.elements.own_states();
-  if (!move_within_ceiling(world, substep)) return false;
+  if (!move_within_ceiling(world, substep, impacts)) return false;
   const bool has_converged = world.report.unconverged_motions == before.report.unconverged_motions;
   if (has_converged && depth_of_soft_bodies(world) <= std::max(kDeep, depth_of_soft_bodies(before))) return true;
   restore(world, before, microstep);
@@ -188,9 +191,10 @@ void step_in_substeps(WorldState& world, double time_step) {
   for (double left = time_step; left > kRounding * time_step; ++world.report.substeps) {
     const double start = world.time, substep = std::min(strains.longest, next_substep(world, left, impacts));
     timed(ms.explicit_dynamics, [&] { impacts.follow_alone(world, substep); });
-    if (!move_within_strains(world, substep, strains)) continue;
+    if (!move_within_strains(world, substep, strains, impacts)) continue;
     strains.longest *= kGrowth;
     impacts.catch_up(world);
+    timed(ms.explicit_dynamics, [&] { impacts.follow_late(world, start, substep); });
     world.time = start + substep;
     left -= substep;
     end_explicit_if_quiet(world);

@@ -215,7 +215,11 @@ Vec3 ContactWorld::velocity_after(const Vec3& velocity, const Vec3& displacement
 }
 std::vector<ContactWorld::Encounter> ContactWorld::expected_impacts(double dt, double minimum_speed, double tolerance,
                                                                     const PairFilter& matters) const {
-  return impl_->expected_impacts(dt, minimum_speed, tolerance, matters);
+  return impl_->expected_impacts(dt, {minimum_speed, tolerance}, matters);
+}
+std::vector<ContactWorld::Meeting> ContactWorld::unlisted_meetings(double dt, double minimum_speed, double tolerance,
+                                                                   const std::vector<bool>& left_out) const {
+  return impl_->unlisted_meetings(dt, {minimum_speed, tolerance}, left_out);
 }
 std::size_t ContactWorld::memory() const {
   return impl_->objects.size() * sizeof(Object) + impl_->tree.memory() + impl_->pairs.size() * sizeof(Pair) +

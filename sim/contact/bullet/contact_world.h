@@ -123,6 +123,16 @@ struct Memory {
   int node_contact = -1;  ///< index into ContactState::node_contacts
 };
 
+/// Least speed of impacts that count [m/s], and accuracy of their times [s].
+struct ImpactRule {
+  double minimum_speed, tolerance;
+};
+
+/// Motion of an object in free flight: x + t (v + t g), with uniform rotation.
+struct Course {
+  Vec3 velocity, acceleration, spin;  ///< [m/s], [m/s²], [rad/s]
+};
+
 /// Lists that each substep fills, kept so that their memory is reused. They are no part of a world's value.
 struct SubstepScratch {
   struct ClosePair {
@@ -133,7 +143,8 @@ struct SubstepScratch {
   std::vector<Box> boxes;        ///< per leaf of the tree, of what is active: where it may be in this step
   std::vector<int> first_pairs;  ///< per object: its first pair as the first of the two; and the end
   std::vector<Pair> found;
-  std::vector<RigidBody> rigid_bodies;       ///< per object, as the last solve() moved them
+  std::vector<bool> unlisted;           ///< per object: detect() has left out approaches of it that could cause damage
+  std::vector<RigidBody> rigid_bodies;  ///< per object, as the last solve() moved them
   std::vector<RigidContact> rigid_contacts;  ///< contacts of groups without deformable objects
   std::vector<int> contact_of_row;           ///< per rigid contact: index into ContactState::contacts
 
@@ -209,12 +220,18 @@ struct ContactWorld::Impl : contact::ContactState {
   void list_close_pairs(double dt);
   void erase_pairs(const std::function<bool(const contact::Pair&)>& gone);
   void find_points(double dt);
-  void find_points(const contact::Pair& pair, contact::Manifold& manifold, double gap) const;
+  struct Placement {
+    const Pose& pose;
+    const contact::Place& place;  ///< the same
+  };
+  void find_points(const contact::Pair& pair, contact::Manifold& manifold, const Placement& at_a, const Placement& at_b,
+                   double gap) const;
   double with_fall(double speed, double dt) const;
   double reach(const contact::Object& a, const contact::Object& b, double dt) const;
   void update_allowances();
   double allowance(ProxyId a, ProxyId b) const;
-  bool is_near(const contact::Pair& pair, const Contact& contact, double dt) const;
+  double closing_speed(const contact::Pair& pair, const Contact& contact) const;
+  bool is_near(const contact::Pair& pair, const Contact& contact, double dt);
   void wake_disturbed(double dt);
   void list_contacts(double dt);
   void list_pair(std::span<const contact::Pair> of_pair, double dt);
@@ -300,10 +317,27 @@ struct ContactWorld::Impl : contact::ContactState {
                                         double fraction, double dt, const SweepRule& rule) const;
   Vec3 velocity_at_touch(const contact::Object& projectile, Vec3 velocity, const TouchAhead& touch, const Vec3& center,
                          double dt) const;
-  std::optional<ContactWorld::Encounter> expected_impact(std::size_t first, std::size_t second, double dt,
-                                                         double minimum_speed, double tolerance) const;
-  std::vector<ContactWorld::Encounter> expected_impacts(double dt, double minimum_speed, double tolerance,
-                                                        const PairFilter& matters) const;
+
+  // Impacts.
+  contact::Course course_of(const contact::Object& object) const;
+  std::optional<Encounter> expected_impact(const std::array<int, 2>& pair,
+                                           const std::array<contact::Course, 2>& courses, double dt,
+                                           const contact::ImpactRule& rule) const;
+  double first_overlap(const contact::Pair& pair, const std::array<contact::Course, 2>& courses, double from,
+                       double to) const;
+  std::vector<Encounter> expected_impacts(double dt, const contact::ImpactRule& rule, const PairFilter& matters) const;
+  struct EndOfStep;
+  std::vector<Meeting> unlisted_meetings(double dt, const contact::ImpactRule& rule,
+                                         const std::vector<bool>& left_out) const;
+  EndOfStep end_of_step(std::size_t object, const Momentum& impulses, double dt) const;
+  std::vector<EndOfStep> ends_of_step(double dt) const;
+  std::vector<contact::Pair> pairs_at_end(const std::vector<EndOfStep>& ends) const;
+  std::vector<Contact> unlisted_points(const contact::Pair& pair, const std::vector<EndOfStep>& ends, double dt) const;
+  Vec3 mean_place(const contact::Object& object, const EndOfStep& end, const Vec3& point) const;
+  Vec3 velocity_at(const contact::Object& object, const EndOfStep& end, const Vec3& position) const;
+  bool is_listed(const Contact& contact) const;
+  Meeting meeting_of(const contact::Pair& pair, const std::vector<EndOfStep>& ends, double dt,
+                     const contact::ImpactRule& rule) const;
 };
 
 }  // namespace griffith

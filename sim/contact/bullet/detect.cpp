@@ -49,6 +49,7 @@ void ContactWorld::Impl::detect(double dt) {
   node_contacts.clear();
   contacts.clear();
   memories.clear();
+  elastic_contacts.clear();
   if (all_at_rest()) return;
   update_pairs(update_boxes(dt));
   find_points(dt);
@@ -91,6 +92,7 @@ double ContactWorld::Impl::allowance(ProxyId a, ProxyId b) const {
 }
 
 void ContactWorld::Impl::list_contacts(double dt) {
+  scratch.unlisted.assign(objects.size(), false);
   for (auto first = pairs.begin(); first != pairs.end();) {
     const auto end = std::find_if_not(first, pairs.end(),
                                       [&](const Pair& pair) { return pair.a == first->a && pair.b == first->b; });
@@ -163,18 +165,27 @@ void ContactWorld::Impl::list_pair(std::span<const Pair> of_pair, double dt) {
   drop_contacts(first, drops);
 }
 
-/// True if a gap is small or closes within `dt` [s], even if something stops one of the two objects. Approaches that
-/// could cause damage are excluded: the owner predicts these itself.
-bool ContactWorld::Impl::is_near(const Pair& pair, const Contact& contact, double dt) const {
-  const Object &a = objects[pair.a], &b = objects[pair.b];
-  if (contact.distance < reach(a, b, 0)) return true;
+/// Returns the speed at which a gap closes, even if something stops one of the two objects [m/s].
+double ContactWorld::Impl::closing_speed(const Pair& pair, const Contact& contact) const {
   const auto speed_along = [&](const Object& object) {
     const RigidState& state = object.state;
     const Vec3 arm = contact.position - state.pose.translation;
     return contact.normal.dot(state.velocity + state.angular_velocity.cross(arm));
   };
-  const double of_a = -speed_along(a), of_b = speed_along(b), speed = std::max({of_a + of_b, of_a, of_b});
-  return contact.distance < dt * with_fall(speed, dt) && speed < std::min(a.impact_speed, b.impact_speed);
+  const double of_a = -speed_along(objects[pair.a]), of_b = speed_along(objects[pair.b]);
+  return std::max({of_a + of_b, of_a, of_b});
+}
+
+/// True if a gap is small or closes within `dt` [s]. Approaches that could cause damage are left out and noted: the
+/// owner predicts these itself.
+bool ContactWorld::Impl::is_near(const Pair& pair, const Contact& contact, double dt) {
+  const Object &a = objects[pair.a], &b = objects[pair.b];
+  if (contact.distance < reach(a, b, 0)) return true;
+  const double speed = closing_speed(pair, contact);
+  if (contact.distance >= dt * with_fall(speed, dt)) return false;
+  if (speed < std::min(a.impact_speed, b.impact_speed)) return true;
+  scratch.unlisted[pair.a] = scratch.unlisted[pair.b] = true;
+  return false;
 }
 
 void ContactWorld::Impl::replace_contacts(const std::vector<bool>& taken_out, std::span<const Contact> put_in) {

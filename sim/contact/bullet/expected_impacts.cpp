@@ -23,10 +23,9 @@ struct Meeting {
   Separation apart = {};
 };
 
-/// Object in free flight, as in a time step of that length: x + t (v + t g), with uniform rotation.
-struct Flight {
+/// Object in free flight.
+struct Flight : Course {
   const Object& object;
-  Vec3 velocity, acceleration, spin;  ///< [m/s], [m/s²], [rad/s]
 
   Pose pose_after(double time) const {
     const Pose& start = object.state.pose;
@@ -38,13 +37,6 @@ struct Flight {
   double turning_speed(const Vec3& direction) const { return spin.cross(direction).norm() * object.shape.radius; }
   double turning_speed() const { return spin.norm() * object.shape.radius; }
 };
-
-/// Returns the flight of an object. Spheres do not need rotation.
-Flight flight_of(const Object& object, const Vec3& gravity) {
-  const RigidState& state = object.state;
-  return {object, state.velocity, object.moves() ? gravity : Vec3::Zero(),
-          object.is_sphere() ? Vec3::Zero() : state.angular_velocity};
-}
 
 /// Returns an upper bound of the speed of its points within `dt` [m/s].
 double highest_speed(const Flight& flight, double dt) {
@@ -143,11 +135,17 @@ Strike strike_of(const FlyingPart& part_of_a, const FlyingPart& part_of_b, const
 
 }  // namespace
 
-std::optional<ContactWorld::Encounter> ContactWorld::Impl::expected_impact(std::size_t first, std::size_t second,
-                                                                           double dt, double minimum_speed,
-                                                                           double tolerance) const {
-  const Flight a = flight_of(objects[first], gravity), b = flight_of(objects[second], gravity);
-  const double damage_speed = std::max(minimum_speed, std::min(a.object.impact_speed, b.object.impact_speed));
+/// Returns the motion of an object without contacts. Spheres do not need rotation.
+Course ContactWorld::Impl::course_of(const Object& object) const {
+  return {object.state.velocity, object.moves() ? gravity : Vec3::Zero(),
+          object.is_sphere() ? Vec3::Zero() : object.state.angular_velocity};
+}
+
+std::optional<ContactWorld::Encounter> ContactWorld::Impl::expected_impact(const std::array<int, 2>& pair,
+                                                                           const std::array<Course, 2>& courses,
+                                                                           double dt, const ImpactRule& rule) const {
+  const Flight a{courses[0], objects[pair[0]]}, b{courses[1], objects[pair[1]]};
+  const double damage_speed = std::max(rule.minimum_speed, std::min(a.object.impact_speed, b.object.impact_speed));
   const Vec3 relative = a.velocity_after(dt) - b.velocity_after(dt), pull = a.acceleration - b.acceleration;
   const double turning = a.turning_speed() + b.turning_speed();
   if (relative.norm() + dt * pull.norm() + turning <= damage_speed) return std::nullopt;
@@ -160,50 +158,63 @@ std::optional<ContactWorld::Encounter> ContactWorld::Impl::expected_impact(std::
       const FlyingPart part_of_a{a, i, ground_height}, part_of_b{b, j, ground_height};
       const PlacedShape moving = part_of_a.shape_after(0), other = part_of_b.shape_after(0);
       if (other.convex && !boxes_meet(moving, dt * relative, other, dt * turning + bend)) continue;
-      const auto meeting = first_meeting(part_of_a, part_of_b, dt, tolerance);
+      const auto meeting = first_meeting(part_of_a, part_of_b, dt, rule.tolerance);
       if (!meeting) continue;
       const Strike strike = strike_of(part_of_a, part_of_b, *meeting, dt, damage_speed);
       if (strike.speed <= damage_speed) continue;
-      if (!impact)
-        impact = {ProxyId(static_cast<std::int64_t>(first)), ProxyId(static_cast<std::int64_t>(second)), 0, dt, dt};
-      const double time = std::max(0.0, meeting->time - tolerance);
+      if (!impact) impact = {ProxyId(pair[0]), ProxyId(pair[1]), 0, dt, dt};
+      const double time = std::max(0.0, meeting->time - rule.tolerance);
       impact->approach = std::max(impact->approach, strike.speed);
       impact->time = std::min(impact->time, time);
-      impact->strike = std::min(impact->strike, std::max(time, meeting->time + strike.delay - tolerance));
+      impact->strike = std::min(impact->strike, std::max(time, meeting->time + strike.delay - rule.tolerance));
     }
   return impact;
 }
 
+double ContactWorld::Impl::first_overlap(const Pair& pair, const std::array<Course, 2>& courses, double from,
+                                         double to) const {
+  constexpr double kAccuracy = 1.0 / 1024;  // of the time between
+  const Flight a{courses[0], objects[pair.a]}, b{courses[1], objects[pair.b]};
+  const FlyingPart part_of_a{a, static_cast<std::size_t>(pair.part_a), ground_height},
+      part_of_b{b, static_cast<std::size_t>(pair.part_b), ground_height};
+  const double accuracy = kAccuracy * (to - from);
+  while (to - from > accuracy) {
+    const double middle = 0.5 * (from + to);
+    const bool overlap = separation(part_of_a.shape_after(middle), part_of_b.shape_after(middle)).distance <= 0;
+    (overlap ? to : from) = middle;
+  }
+  return from;
+}
+
 /// Examines pairs of a sufficient relative speed.
-std::vector<ContactWorld::Encounter> ContactWorld::Impl::expected_impacts(double dt, double minimum_speed,
-                                                                          double tolerance,
+std::vector<ContactWorld::Encounter> ContactWorld::Impl::expected_impacts(double dt, const ImpactRule& rule,
                                                                           const PairFilter& matters) const {
   std::vector<Flyer> flyers;
   double fastest = 0, weakest = std::numeric_limits<double>::infinity();
   for (const Object& object : objects) {
     const bool flies = object.exists && object.kind != Kind::ground && (object.moves() || !object.is_still());
-    const double speed = flies ? highest_speed(flight_of(object, gravity), dt) : 0;
+    const double speed = flies ? highest_speed({course_of(object), object}, dt) : 0;
     flyers.push_back({speed, object.impact_speed, object.moves()});
     fastest = std::max(fastest, speed);
     if (object.exists) weakest = std::min(weakest, object.impact_speed);
   }
-  if (2 * fastest <= std::max(minimum_speed, weakest)) return {};
-  std::vector<std::pair<int, int>> near;
+  if (2 * fastest <= std::max(rule.minimum_speed, weakest)) return {};
+  std::vector<std::array<int, 2>> near;
   for_each_near(dt, [&](int first, int second) {
     const Flyer &a = flyers[first], &b = flyers[second];
-    const double damage_speed = std::max(minimum_speed, std::min(a.impact_speed, b.impact_speed));
-    if (a.speed + b.speed > damage_speed && (a.moves || b.moves)) near.emplace_back(first, second);
+    const double damage_speed = std::max(rule.minimum_speed, std::min(a.impact_speed, b.impact_speed));
+    if (a.speed + b.speed > damage_speed && (a.moves || b.moves)) near.push_back({first, second});
   });
   std::ranges::sort(near);
   near.erase(std::unique(near.begin(), near.end()), near.end());
-  std::erase_if(near, [&](std::pair<int, int>& pair) {
-    if (pair.first == ground) std::swap(pair.first, pair.second);
-    return matters && !matters(ProxyId(pair.first), ProxyId(pair.second));
+  std::erase_if(near, [&](std::array<int, 2>& pair) {
+    if (pair[0] == ground) std::swap(pair[0], pair[1]);
+    return matters && !matters(ProxyId(pair[0]), ProxyId(pair[1]));
   });
   std::vector<std::optional<Encounter>> met(near.size());
   parallel_for(static_cast<int>(near.size()), 16, [&](int begin, int end) {
     for (int i = begin; i < end; ++i)
-      met[i] = expected_impact(near[i].first, near[i].second, dt, minimum_speed, tolerance);
+      met[i] = expected_impact(near[i], {course_of(objects[near[i][0]]), course_of(objects[near[i][1]])}, dt, rule);
   });
   std::vector<Encounter> found;
   for (const std::optional<Encounter>& impact : met)

@@ -344,28 +344,30 @@ void ContactWorld::Impl::find_points(double dt) {
   parallel_for(static_cast<int>(scratch.close_pairs.size()), kPairsAtOnce, [&](int begin, int end) {
     for (const auto& [index, gap] : std::span(scratch.close_pairs).subspan(begin, end - begin)) {
       Pair& pair = pairs[index];
-      find_points(pair, manifolds[pair.manifold], gap);
+      find_points(pair, manifolds[pair.manifold], {objects[pair.a].state.pose, objects[pair.a].place},
+                  {objects[pair.b].state.pose, objects[pair.b].place}, gap);
       pair.count = manifolds[pair.manifold].count;
     }
   });
 }
 
-void ContactWorld::Impl::find_points(const Pair& pair, Manifold& manifold, double gap) const {
+void ContactWorld::Impl::find_points(const Pair& pair, Manifold& manifold, const Placement& at_a, const Placement& at_b,
+                                     double gap) const {
   const Object &a = objects[pair.a], &b = objects[pair.b];
   const auto is_hull = [](const Object& object) { return object.kind != Kind::ground && !object.is_sphere(); };
   if (is_hull(a) && is_hull(b) && a.shape.hull(pair.part_a).is_solid() && b.shape.hull(pair.part_b).is_solid())
     return find_contacts(manifold, {a.shape.hull(pair.part_a), a.shape.radius},
-                         {b.shape.hull(pair.part_b), b.shape.radius}, relative(a.place, b.place), gap);
+                         {b.shape.hull(pair.part_b), b.shape.radius}, relative(at_a.place, at_b.place), gap);
   if (b.kind == Kind::ground && is_hull(a))
-    return find_ground_points(manifold, a.shape.hull(pair.part_a), a.place, ground_height, true, gap,
+    return find_ground_points(manifold, a.shape.hull(pair.part_a), at_a.place, ground_height, true, gap,
                               0.1 * a.shape.radius);
   if (a.kind == Kind::ground && is_hull(b))
-    return find_ground_points(manifold, b.shape.hull(pair.part_b), b.place, ground_height, false, gap,
+    return find_ground_points(manifold, b.shape.hull(pair.part_b), at_b.place, ground_height, false, gap,
                               0.1 * b.shape.radius);
-  const auto shape = [&](const Object& object, int part) {
-    return placed(object, part, to_bullet(object.state.pose), ground_height);
+  const auto shape = [&](const Object& object, int part, const Pose& pose) {
+    return placed(object, part, to_bullet(pose), ground_height);
   };
-  find_point(manifold, shape(a, pair.part_a), shape(b, pair.part_b), a.place, b.place, gap);
+  find_point(manifold, shape(a, pair.part_a, at_a.pose), shape(b, pair.part_b, at_b.pose), at_a.place, at_b.place, gap);
 }
 
 }  // namespace griffith

@@ -108,6 +108,7 @@ RigidContact ContactWorld::Impl::rigid_contact(std::size_t index, double dt) con
   row.arm_b = contact.position - center(b);
   const double allowed = allowance(contact.a, contact.b);
   row.distance = distance_beyond(contact.distance, allowed);
+  row.is_mean = contact.position_at == PositionTime::mean;
   row.resting = kOverlapAtRest * smaller_radius(a, b);
   row.fallen = gravity.dot(contact.position);
   row.friction = std::sqrt(a.surface.friction * b.surface.friction);

@@ -156,19 +156,42 @@ void foresee_turns(const WorldState& world, TouchedBodies& touched, double dt) {
   for (TouchedBody& of : touched.bodies) foresee_turn(world, of, dt);
 }
 
+/// Returns, per ProxyId, true for the bodies in explicit dynamics: their contacts are left to the microsteps.
+std::vector<bool> explicit_objects(const WorldState& world) {
+  std::vector<bool> is_explicit(world.body_of_proxy.size(), false);
+  for (const Body& body : world.bodies)
+    if (body.explicit_state) is_explicit[body.proxy] = true;
+  return is_explicit;
+}
+
+/// Adds contacts of objects that come together in the substep although detection listed none, except for those that
+/// `leave` removes. Returns true if there are any.
+bool add_unlisted_contacts(WorldState& world, double dt, const MeetingFilter& leave) {
+  ContactWorld& contacts = world.contact_world;
+  std::vector<ContactWorld::Meeting> meetings = std::as_const(contacts).unlisted_meetings(
+      dt, min_impact_speed(world), impact_tolerance(world), explicit_objects(world));
+  if (leave) leave(world, meetings);
+  std::vector<Contact> added;
+  for (const ContactWorld::Meeting& meeting : meetings)
+    added.insert(added.end(), meeting.points.begin(), meeting.points.end());
+  if (added.empty()) return false;
+  contacts.replace_contacts(std::vector<bool>(contacts.contacts().size(), false), added);
+  return true;
+}
+
 /// Finds the impulses on which all that touches agrees. Rigid and sleeping bodies that must deform under them do.
-SolvedContacts solve_contacts(WorldState& world, double dt) {
+SolvedContacts solve_contacts(WorldState& world, double dt, const MeetingFilter& leave) {
   SolvedContacts solved{touched_bodies(world), {}};
   TouchedBodies& touched = solved.touched;
   fit_contacts(world, touched, world.contact_world.contacts());
   foresee_turns(world, touched, dt);
   keep_contacts(touched, world.contact_world.drop_near_misses(dt, approach_speeds(world, touched, dt)));
   solved.groups = solve_elastic_contacts(world, touched, dt);
-  while (make_struck_bodies_elastic(world, dt)) {
+  while (make_struck_bodies_elastic(world, dt) || add_unlisted_contacts(world, dt, leave)) {
     replace_contacts(world, spread_contacts(world, dt));
-    touched = touched_bodies(world);
+    const SolvedContacts earlier = std::exchange(solved, {touched_bodies(world), {}});
     foresee_turns(world, touched, dt);
-    solved.groups = solve_elastic_contacts(world, touched, dt);
+    solved.groups = solve_elastic_contacts(world, touched, dt, earlier);
   }
   return solved;
 }
@@ -203,14 +226,6 @@ ExternalForces external_forces(const WorldState& world, double dt) {
   return forces;
 }
 
-/// Leaves contacts of bodies in explicit dynamics to the microsteps.
-void drop_contacts_of_explicit_bodies(WorldState& world) {
-  std::vector<bool> is_explicit(world.body_of_proxy.size(), false);
-  for (const Body& body : world.bodies)
-    if (body.explicit_state) is_explicit[body.proxy] = true;
-  world.contact_world.drop_contacts_of(is_explicit);
-}
-
 void make_first_struck_elastic(WorldState& world, double duration) {
   const auto is_ballistic = [&](BodyId id) { return id.valid() && world.bodies[id].ballistic; };
   if (std::ranges::none_of(world.bodies, &Body::ballistic)) return;
@@ -225,15 +240,17 @@ void make_first_struck_elastic(WorldState& world, double duration) {
 
 void find_contacts(WorldState& world, double dt) {
   world.contact_world.detect(dt);  // before the prediction, by which all that rests is about to fall
-  drop_contacts_of_explicit_bodies(world);
+  world.contact_world.drop_contacts_of(explicit_objects(world));
   choose_quasi_static_bodies(world);
 }
 
-std::vector<ElasticMove> resolve_contacts(WorldState& world, const std::vector<Vec3>& external, double dt) {
+std::vector<ElasticMove> resolve_contacts(WorldState& world, const std::vector<Vec3>& external, double dt,
+                                          const MeetingFilter& leave) {
   wake_disturbed_bodies(world, dt);
-  replace_contacts(world, spread_contacts(world, dt));
   push_rigid_velocities(world);
-  SolvedContacts solved = solve_contacts(world, dt);
+  add_unlisted_contacts(world, dt, leave);
+  replace_contacts(world, spread_contacts(world, dt));
+  SolvedContacts solved = solve_contacts(world, dt, leave);
   const BeforeContacts before =
       may_strain_far(world) ? BeforeContacts{world.nodes.velocities, world.edges.velocities, world.nodes.reactions}
                             : BeforeContacts();

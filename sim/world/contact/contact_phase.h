@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "sim/world/energy/energy_phase.h"
@@ -15,8 +16,11 @@ ExternalForces external_forces(const WorldState& world, double dt);
 void make_first_struck_elastic(WorldState& world, double duration);
 /// Finds all contacts within a substep of `dt` [s], and the bodies that are quasi-static in it.
 void find_contacts(WorldState& world, double dt);
+/// Removes the meetings within a substep that its owner follows by microsteps afterwards: the others become contacts.
+using MeetingFilter = std::function<void(const WorldState&, std::vector<ContactWorld::Meeting>&)>;
 /// Changes the velocities so that nothing penetrates, and moves the projectiles. `external`: forces per node [N].
 /// Returns how bodies move with these velocities, by BodyId: by a nonlinear step what strains far.
-std::vector<ElasticMove> resolve_contacts(WorldState& world, const std::vector<Vec3>& external, double dt);
+std::vector<ElasticMove> resolve_contacts(WorldState& world, const std::vector<Vec3>& external, double dt,
+                                          const MeetingFilter& leave);
 
 }  // namespace griffith

@@ -253,6 +253,11 @@ void renew(const WorldState& world, TouchedBodies& touched, double dt, ContactGr
   });
 }
 
+void hand_out_impulses(WorldState& world, const ContactGroup& group) {
+  for (std::size_t k = 0; k < group.contacts.size(); ++k)
+    world.contact_world.set_impulse(group.contacts[k], group.problem[k].axes * group.problem[k].impulse);
+}
+
 /// Solves the problems of groups, and hands out what they find.
 void solve_groups(WorldState& world, TouchedBodies& touched, std::span<ContactGroup* const> groups, double dt,
                   bool continues) {
@@ -271,23 +276,46 @@ void solve_groups(WorldState& world, TouchedBodies& touched, std::span<ContactGr
   });
   for (std::size_t i = 0; i < groups.size(); ++i) {
     ContactGroup& group = *groups[i];
-    for (std::size_t k = 0; k < group.contacts.size(); ++k)
-      world.contact_world.set_impulse(group.contacts[k], group.problem[k].axes * group.problem[k].impulse);
+    hand_out_impulses(world, group);
     world.report.unconverged_contacts += reports[i].unconverged - group.unconverged;
     group.unconverged = reports[i].unconverged;
     world.report.contact_iterations += reports[i].iterations;
   }
 }
 
-std::vector<ContactGroup*> pointers_to(std::vector<ContactGroup>& groups) {
-  std::vector<ContactGroup*> pointers;
-  for (ContactGroup& group : groups) pointers.push_back(&group);
-  return pointers;
+/// True if two contacts have one problem; their impulses are left out.
+bool are_alike(const FrictionContact& left, const FrictionContact& right) {
+  return left.a == right.a && left.b == right.b && left.axes == right.axes && left.friction == right.friction &&
+         left.target_velocity == right.target_velocity && left.free_velocity == right.free_velocity;
+}
+
+/// Takes the solution of an earlier group with the same problem of the same bodies. Returns false if there is none.
+bool take_solution(WorldState& world, TouchedBodies& touched, ContactGroup& group, const SolvedContacts& earlier) {
+  const auto bodies_of = [](const ContactGroup& of, const TouchedBodies& among) {
+    std::vector<BodyId> bodies;
+    for (const int i : of.touched) bodies.push_back(among.bodies[i].body);
+    return bodies;
+  };
+  const std::vector<BodyId> bodies = bodies_of(group, touched);
+  const auto found = std::ranges::find_if(earlier.groups, [&](const ContactGroup& other) {
+    return other.rigid == group.rigid && std::ranges::equal(other.problem, group.problem, are_alike) &&
+           bodies_of(other, earlier.touched) == bodies;
+  });
+  if (found == earlier.groups.end()) return false;
+  for (std::size_t i = 0; i < group.touched.size(); ++i)
+    touched.bodies[group.touched[i]].change = earlier.touched.bodies[found->touched[i]].change;
+  group.problem = found->problem;
+  group.unconverged = found->unconverged;
+  world.report.unconverged_contacts += group.unconverged;
+  hand_out_impulses(world, group);
+  return true;
 }
 
 }  // namespace
 
-std::vector<ContactGroup> solve_elastic_contacts(WorldState& world, TouchedBodies& touched, double dt) {
+std::vector<ContactGroup> solve_elastic_contacts(WorldState& world, TouchedBodies& touched, double dt,
+                                                 const SolvedContacts& earlier) {
+  for (const ContactGroup& group : earlier.groups) world.report.unconverged_contacts -= group.unconverged;
   for (std::size_t i = 0; i < touched.bodies.size(); ++i)
     touched.objects[i].free_velocities = point_velocities(world, touched.bodies[i]);
   world.contact_world.solve(dt, coupled_objects(world, touched), hinged_objects(world, touched, dt));
@@ -298,7 +326,10 @@ std::vector<ContactGroup> solve_elastic_contacts(WorldState& world, TouchedBodie
     groups.push_back(builder.build(std::move(contacts)));
     foresee_turns(world, touched, dt, groups.back());
   }
-  solve_groups(world, touched, pointers_to(groups), dt, false);
+  std::vector<ContactGroup*> unsolved;
+  for (ContactGroup& group : groups)
+    if (!take_solution(world, touched, group, earlier)) unsolved.push_back(&group);
+  solve_groups(world, touched, unsolved, dt, false);
   return groups;
 }
 

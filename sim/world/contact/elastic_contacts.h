@@ -29,8 +29,9 @@ struct SolvedContacts {
 /// change in the velocities of the elastic bodies in TouchedBody::change, as found by the solver; counts contacts
 /// that do not meet their law.
 /// What is quasi-static takes part as a rigid body and deforms under the impulses that it got.
-/// Returns the groups.
-std::vector<ContactGroup> solve_elastic_contacts(WorldState& world, TouchedBodies& touched, double dt);
+/// Groups with the problem of one of `earlier`, of the same substep, take its solution. Returns the groups.
+std::vector<ContactGroup> solve_elastic_contacts(WorldState& world, TouchedBodies& touched, double dt,
+                                                 const SolvedContacts& earlier = {});
 
 /// Solves some groups again, from the impulses found before: their bodies would have other velocities without contacts,
 /// the present ones, or resist otherwise.

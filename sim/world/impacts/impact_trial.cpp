@@ -39,12 +39,12 @@ struct TrialNode {
 
 class Trial {
  public:
-  Trial(const WorldState& world, const Impact& impact, const Flights& flights) : world_(world) {
+  Trial(const WorldState& world, const Impact& impact, const std::array<RigidState, 2>& states) : world_(world) {
     std::vector<explicit_dynamics::Obstacle> obstacles;
     for (int i = 0; i < 2; ++i)
-      if (impact.deforms[i]) add_body(world.bodies[impact.bodies[i]], flights[i]);
+      if (impact.deforms[i]) add_body(world.bodies[impact.bodies[i]], states[i]);
     for (int i = 0; i < 2; ++i)
-      if (!impact.deforms[i]) add_obstacle(impact.objects()[i], flights[i], obstacles);
+      if (!impact.deforms[i]) add_obstacle(impact.objects()[i], states[i], obstacles);
     explicit_bodies_.finish();
     parts_.tets.resize(explicit_bodies_.tet_slots());
     if (!parts_.edges.empty()) parts_.edges.resize(explicit_bodies_.tet_slots());
@@ -65,12 +65,12 @@ class Trial {
   }
 
  private:
-  void add_body(const Body& body, double flight);
+  void add_body(const Body& body, const RigidState& state);
   std::vector<int> add_nodes(const Body& body, const RigidState& state);
   void add_elements(const Body& body, const std::vector<int>& local, const Mat3& turn);
   std::vector<std::array<int, 6>> add_edges(const Body& body);
   void add_surface(const Body& body);
-  void add_obstacle(ProxyId object, double flight, std::vector<explicit_dynamics::Obstacle>& obstacles);
+  void add_obstacle(ProxyId object, const RigidState& state, std::vector<explicit_dynamics::Obstacle>& obstacles);
   void add_bonds();
   double spacing() const { return element_size_ / static_cast<double>(laws_.size()); }
   bool approach(double wait);
@@ -94,8 +94,7 @@ class Trial {
   double microsteps_ = 0;
 };
 
-void Trial::add_body(const Body& body, double flight) {
-  const RigidState state = flown(body, flight);
+void Trial::add_body(const Body& body, const RigidState& state) {
   const std::vector<int> local = add_nodes(body, state);
   add_elements(body, local, parts_.turns.back());
   add_surface(body);
@@ -194,20 +193,17 @@ void Trial::add_surface(const Body& body) {
   }
 }
 
-void Trial::add_obstacle(ProxyId object, double flight, std::vector<explicit_dynamics::Obstacle>& obstacles) {
+void Trial::add_obstacle(ProxyId object, const RigidState& state, std::vector<explicit_dynamics::Obstacle>& obstacles) {
   if (world_.contact_world.is_ground(object)) return add_ground(world_, obstacles);
   if (const BodyId id = world_.body_of(object); id.valid()) {
     obstacles.push_back(obstacle_of(world_, world_.bodies[id], spacing()));
-    if (!world_.bodies[id].supported()) obstacles.back().state = flown(world_.bodies[id], flight);
+    if (!world_.bodies[id].supported()) obstacles.back().state = state;
     return;
   }
   for (const Projectile& projectile : world_.projectiles) {
     if (projectile.object != object) continue;
-    explicit_dynamics::Obstacle obstacle = obstacle_of(world_, projectile, spacing());
-    obstacle.state.pose.translation += flight * obstacle.state.velocity;
-    obstacle.state.pose.rotation =
-        Quat(rotation_by(flight * obstacle.state.angular_velocity)) * obstacle.state.pose.rotation;
-    obstacles.push_back(obstacle);
+    obstacles.push_back(obstacle_of(world_, projectile, spacing()));
+    obstacles.back().state = state;
   }
 }
 
@@ -288,27 +284,44 @@ bool Trial::note_impacts() {
 }
 
 /// Returns an upper bound of the speed of its points [m/s].
-double highest_speed(const WorldState& world, ProxyId object) {
-  const RigidState state = world.contact_world.state(object);
-  const BodyId id = world.body_of(object);
+double highest_speed(const WorldState& world, BodyId id, const RigidState& state) {
   return state.velocity.norm() + (id.valid() ? world.bodies[id].extent * state.angular_velocity.norm() : 0);
+}
+
+/// Returns `state` after free flight for a time [s]; `inertia` is that about its center of mass in the world frame.
+RigidState flown(RigidState state, const Mat3& inertia, double time) {
+  const Vec3 spin = state.angular_velocity;
+  const Mat3 turn = rotation_by(time * spin).toRotationMatrix();
+  state.pose.translation += time * state.velocity;
+  state.pose.rotation = (Quat(turn) * state.pose.rotation).normalized();
+  state.angular_velocity = turn * (inertia.inverse() * (turn.transpose() * (inertia * spin)));
+  return state;
 }
 
 }  // namespace
 
 RigidState flown(const Body& body, double time) {
   const RigidMotion& motion = body.motion;
-  RigidState state{{motion.center, body.orientation}, motion.velocity, motion.angular_velocity};
-  if (body.asleep || body.supported()) {
-    state.velocity = state.angular_velocity = Vec3::Zero();
-    return state;
+  const Pose pose{motion.center, body.orientation};
+  if (body.asleep || body.supported()) return {pose};
+  return flown({pose, motion.velocity, motion.angular_velocity}, motion.inertia, time);
+}
+
+RigidState flown(const WorldState& world, ProxyId object, const RigidState& start, double time) {
+  const BodyId id = world.body_of(object);
+  if (world.contact_world.is_ground(object)) return start;
+  if (!id.valid()) return flown(start, Mat3::Identity(), time);  // a ball
+  const Body& body = world.bodies[id];
+  return body.asleep || body.supported() ? start : flown(start, body.motion.inertia, time);
+}
+
+std::array<RigidState, 2> flown(const WorldState& world, const Impact& impact, const Flights& flights) {
+  std::array<RigidState, 2> states;
+  for (int i = 0; i < 2; ++i) {
+    const ProxyId object = impact.objects()[i];
+    states[i] = flown(world, object, world.contact_world.state(object), flights[i]);
   }
-  const Mat3 turn = rotation_by(time * motion.angular_velocity).toRotationMatrix();
-  state.pose.translation += time * motion.velocity;
-  state.pose.rotation = (Quat(turn) * body.orientation).normalized();
-  state.angular_velocity =
-      turn * (motion.inertia.inverse() * (turn.transpose() * (motion.inertia * motion.angular_velocity)));
-  return state;
+  return states;
 }
 
 double expected_work(const WorldState& world, const Impact& impact) {
@@ -326,11 +339,13 @@ double expected_work(const WorldState& world, const Impact& impact) {
   return kWithContacts * kMicrostepWork * slots * kWindows * window * frequency / kAtFrequency;
 }
 
-TrialOutcome try_impact(const WorldState& world, const Impact& impact, const Flights& flights) {
+TrialOutcome try_impact(const WorldState& world, const Impact& impact, const std::array<RigidState, 2>& states,
+                        double longest_wait) {
   // Predictions are accurate to the motion of their fastest point within the tolerance.
-  const double speed = highest_speed(world, impact.met.a) + highest_speed(world, impact.met.b);
+  const double speed =
+      highest_speed(world, impact.bodies[0], states[0]) + highest_speed(world, impact.bodies[1], states[1]);
   const double wait = 2 * impact_tolerance(world) * std::max(1.0, speed / impact.met.approach);
-  return Trial(world, impact, flights).run(wait);
+  return Trial(world, impact, states).run(std::max(wait, longest_wait));
 }
 
 }  // namespace griffith

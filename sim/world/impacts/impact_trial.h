@@ -11,6 +11,11 @@ using Flights = std::array<double, 2>;
 /// bodies stay. Gravity is left to the step.
 RigidState flown(const Body& body, double time);
 
+/// Returns the states of the two objects of an impact after these flights.
+std::array<RigidState, 2> flown(const WorldState& world, const Impact& impact, const Flights& flights);
+/// Returns the state of an object after free flight for a time [s] from another state.
+RigidState flown(const WorldState& world, ProxyId object, const RigidState& start, double time);
+
 /// Returns the expected work of following an impact by microsteps [µs of a typical core].
 double expected_work(const WorldState& world, const Impact& impact);
 
@@ -26,7 +31,8 @@ struct TrialOutcome {
 /// stress, all their surroundings are omitted. Conservative: a result that is not harmful means that no node separates.
 /// A harmful one requires a largest principal stress in an element at the node above its resistance, for the duration
 /// of an overload; the present load of the node counts against the resistance (the largest principal stress of a sum is
-/// at most the sum of both).
-TrialOutcome try_impact(const WorldState& world, const Impact& impact, const Flights& flights);
+/// at most the sum of both). `states`: of the two objects where they are as close as predicted.
+TrialOutcome try_impact(const WorldState& world, const Impact& impact, const std::array<RigidState, 2>& states,
+                        double longest_wait = 0);
 
 }  // namespace griffith

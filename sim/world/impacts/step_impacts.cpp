@@ -1,6 +1,7 @@
 #include "sim/world/impacts/step_impacts.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "sim/core/parallel.h"
@@ -69,23 +70,35 @@ bool StepImpacts::is_ahead(const Impact& impact) const {
   return std::ranges::any_of(impact.bodies, [&](BodyId id) { return ahead_.contains(id); });
 }
 
+/// Returns the outcomes of trials; impacts without one count as harmful.
+std::vector<TrialOutcome> StepImpacts::try_all(const WorldState& world, const std::vector<Impact>& impacts,
+                                               const std::function<std::array<RigidState, 2>(const Impact&)>& states_of,
+                                               double until) {
+  std::vector<TrialOutcome> outcomes(impacts.size());
+  parallel_for(static_cast<int>(impacts.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      outcomes[i].harmful = true;
+      if (has_trial(world, impacts[i]))
+        outcomes[i] = try_impact(world, impacts[i], states_of(impacts[i]), until - impacts[i].met.strike);
+    }
+  });
+  for (std::size_t i = 0; i < impacts.size(); ++i) {
+    work_ += outcomes[i].work;
+    if (outcomes[i].touched && !outcomes[i].harmful) safe_speeds_[key_of(impacts[i])] = impacts[i].met.approach;
+  }
+  return outcomes;
+}
+
 std::vector<Impact> StepImpacts::find(const WorldState& world, double duration) {
   std::vector<Impact> impacts = harmful_impacts(world, duration), shared;
   std::erase_if(impacts, [&](const Impact& impact) {
     return is_safe(impact) || (are_of_one_body(world, impact) && !goes_alone(world, impact));
   });
-  std::vector<TrialOutcome> outcomes(impacts.size());
-  parallel_for(static_cast<int>(impacts.size()), 1, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      outcomes[i].harmful = true;
-      if (has_trial(world, impacts[i])) outcomes[i] = try_impact(world, impacts[i], flights_of(impacts[i]));
-    }
-  });
+  const std::vector<TrialOutcome> outcomes = try_all(
+      world, impacts, [&](const Impact& impact) { return flown(world, impact, flights_of(impact)); }, 0);
   alone_.clear(), safe_bodies_.clear();
   for (std::size_t i = 0; i < impacts.size(); ++i) {
-    work_ += outcomes[i].work;
     if (!outcomes[i].harmful) {
-      safe_speeds_[key_of(impacts[i])] = impacts[i].met.approach;
       safe_bodies_.insert(safe_bodies_.end(), impacts[i].bodies.begin(), impacts[i].bodies.end());
     } else if (outcomes[i].touched && goes_alone(world, impacts[i])) {
       alone_.push_back({impacts[i], outcomes[i].contact});
@@ -106,22 +119,73 @@ void StepImpacts::turn_rigid(WorldState& world) {
     if (id.valid() && !strained[id]) rigidify_if_quiescent(world, world.bodies[id]);
 }
 
+void StepImpacts::follow(WorldState& world, Alone alone) {
+  if (is_ahead(alone.impact)) {  // it has met something else since
+    const TrialOutcome outcome = try_impact(world, alone.impact, flown(world, alone.impact, flights_of(alone.impact)));
+    work_ += outcome.work;
+    if (!outcome.harmful) return;
+    alone.contact = outcome.contact;
+  }
+  const Followed followed = follow_impact(world, alone.impact, flights_of(alone.impact), alone.contact);
+  for (const BodyId id : followed.bodies) ahead_[id] = alone.impact.met.strike + alone.contact + followed.time;
+  work_ += followed.work;
+  microsteps_ += followed.microsteps;
+}
+
 void StepImpacts::follow_alone(WorldState& world, double duration) {
   turn_rigid(world);
-  for (Alone& alone : std::exchange(alone_, {})) {
+  late_.clear();
+  for (const Alone& alone : std::exchange(alone_, {})) {
     if (alone.impact.met.strike > duration) break;
-    if (is_ahead(alone.impact)) {  // it has met something else since
-      const TrialOutcome outcome = try_impact(world, alone.impact, flights_of(alone.impact));
-      work_ += outcome.work;
-      if (!outcome.harmful) continue;
-      alone.contact = outcome.contact;
-    }
-    const Followed followed = follow_impact(world, alone.impact, flights_of(alone.impact), alone.contact);
-    for (const BodyId id : followed.bodies) ahead_[id] = alone.impact.met.strike + alone.contact + followed.time;
-    work_ += followed.work;
-    microsteps_ += followed.microsteps;
+    follow(world, alone);
   }
   if (!ahead_.empty()) place_proxies(world);
+}
+
+void StepImpacts::take_harmful(const WorldState& world, double duration, std::vector<ContactWorld::Meeting>& meetings) {
+  std::vector<ContactWorld::Encounter> encounters;
+  std::map<std::pair<ProxyId, ProxyId>, const ContactWorld::Meeting*> meeting_of;
+  for (const ContactWorld::Meeting& meeting : meetings) {
+    if (!meeting.impact) continue;
+    encounters.push_back(*meeting.impact);
+    meeting_of[std::minmax(meeting.objects[0], meeting.objects[1])] = &meeting;
+  }
+  std::vector<Impact> impacts = harmful_among(world, encounters);
+  std::erase_if(impacts, [&](const Impact& impact) {
+    return is_safe(impact) || have_just_parted(world, impact.bodies[0], impact.bodies[1]) ||
+           (are_of_one_body(world, impact) && !goes_alone(world, impact));
+  });
+  const std::vector<TrialOutcome> outcomes = try_all(
+      world, impacts,
+      [&](const Impact& impact) {
+        std::array<RigidState, 2> states = meeting_of.at(key_of(impact))->starts;
+        for (int i = 0; i < 2; ++i) states[i] = flown(world, impact.objects()[i], states[i], impact.met.strike);
+        return states;
+      },
+      duration);
+  late_.clear();
+  std::set<std::pair<ProxyId, ProxyId>> harmful;
+  for (std::size_t i = 0; i < impacts.size(); ++i) {
+    if (!outcomes[i].harmful) continue;
+    harmful.insert(key_of(impacts[i]));
+    if (outcomes[i].touched && goes_alone(world, impacts[i])) late_.push_back({impacts[i], outcomes[i].contact});
+  }
+  std::erase_if(meetings, [&](const ContactWorld::Meeting& meeting) {
+    return harmful.contains(std::minmax(meeting.objects[0], meeting.objects[1]));
+  });
+  std::ranges::stable_sort(late_, {}, [](const Alone& alone) { return alone.impact.met.strike; });
+}
+
+void StepImpacts::follow_late(WorldState& world, double start, double duration) {
+  if (late_.empty()) return;
+  world.time = start + duration;
+  for (Alone& alone : std::exchange(late_, {})) {
+    alone.impact.met.time -= duration;
+    alone.impact.met.strike -= duration;
+    follow(world, alone);
+  }
+  place_proxies(world);
+  catch_up(world);
 }
 
 void StepImpacts::catch_up(WorldState& world) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <functional>
 #include <map>
 #include <span>
 #include <utility>
@@ -22,6 +24,11 @@ class StepImpacts {
   std::vector<Impact> find(const WorldState& world, double duration);
   /// Follows those that go alone within `duration` [s], in order of time. Bodies of safe ones become rigid.
   void follow_alone(WorldState& world, double duration);
+  /// Takes over the harmful ones among meetings in a substep that is being solved, and removes them from `meetings`.
+  /// They replace those of an earlier call.
+  void take_harmful(const WorldState& world, double duration, std::vector<ContactWorld::Meeting>& meetings);
+  /// Follows those taken over, after all have moved by a substep of `duration` [s] from the time `start` [s].
+  void follow_late(WorldState& world, double start, double duration);
   /// Moves the bodies that are ahead back by that time, after all have moved by a substep.
   void catch_up(WorldState& world);
 
@@ -34,6 +41,10 @@ class StepImpacts {
     Impact impact;
     double contact = 0;  ///< time from the predicted impact to the contact [s]
   };
+  std::vector<TrialOutcome> try_all(const WorldState& world, const std::vector<Impact>& impacts,
+                                    const std::function<std::array<RigidState, 2>(const Impact&)>& states_of,
+                                    double until);
+  void follow(WorldState& world, Alone alone);
   bool is_safe(const Impact& impact) const;
   bool goes_alone(const WorldState& world, const Impact& impact) const;
   Flights flights_of(const Impact& impact) const;
@@ -42,6 +53,7 @@ class StepImpacts {
 
   std::map<std::pair<ProxyId, ProxyId>, double> safe_speeds_;  ///< speeds of impacts that were tried [m/s]
   std::vector<Alone> alone_;
+  std::vector<Alone> late_;          ///< impacts that impulses of the substep bring about
   std::vector<BodyId> safe_bodies_;  ///< bodies of safe impacts
   std::map<BodyId, double> ahead_;   ///< time by which a body is ahead of all others [s]
   double work_ = 0;

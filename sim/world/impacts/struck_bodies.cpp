@@ -93,9 +93,13 @@ std::vector<Impact> harmful_impacts(const WorldState& world, double duration) {
   const auto matters = [&](BodyId a, BodyId b) {
     return (may_begin(a) || may_begin(b)) && !have_just_parted(world, a, b);
   };
+  return harmful_among(world, expected_impacts(world, duration, matters));
+}
+
+std::vector<Impact> harmful_among(const WorldState& world, std::span<const ContactWorld::Encounter> encounters) {
   std::vector<Impact> impacts;
   ImpactClassifier classifier(world);
-  for (const ContactWorld::Encounter& met : expected_impacts(world, duration, matters)) {
+  for (const ContactWorld::Encounter& met : encounters) {
     Impact impact{met, {world.body_of(met.a), world.body_of(met.b)}, {}};
     for (int i = 0; i < 2; ++i)
       impact.deforms[i] = classifier.deforms(impact.bodies[i], impact.bodies[1 - i], met.approach);

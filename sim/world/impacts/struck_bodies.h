@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "sim/world/state/world_state.h"
@@ -29,5 +30,7 @@ bool have_just_parted(const WorldState& world, BodyId a, BodyId b);
 /// Returns the impacts within `duration` [s] that are fast enough to damage bodies not in explicit dynamics yet. All
 /// others, mostly of debris, are left to the implicit step.
 std::vector<Impact> harmful_impacts(const WorldState& world, double duration);
+/// Returns those of `encounters` that are fast enough for that.
+std::vector<Impact> harmful_among(const WorldState& world, std::span<const ContactWorld::Encounter> encounters);
 
 }  // namespace griffith

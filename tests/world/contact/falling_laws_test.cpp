@@ -68,6 +68,52 @@ TEST_P(FlightLaw, DebrisThatSpinsKeepsItsEnergyAndAngularMomentum) {
 INSTANTIATE_TEST_SUITE_P(Grid, FlightLaw, ::testing::ValuesIn(testing::contact_cases({0.01, 0.05, 1, 10})),
                          testing::contact_case_name);
 
+class LandingLaw : public testing::ContactLaw<ContactCase> {};
+
+/// Returns the deepest that a node gets below the ground in any step within `duration` [s] [m].
+double deepest_below_ground(World& world, double duration) {
+  double depth = 0;
+  while (world.frame().time < duration) {
+    world.step();
+    depth = std::max(depth, testing::depth_below(world.frame()));
+  }
+  return depth;
+}
+
+/// It falls by many of its sizes within a step, not fast enough to break.
+TEST_P(LandingLaw, WhatTakesNoDamageStopsOnTheGround) {
+  const ContactCase& at = GetParam();
+  Scene scene = testing::empty_scene(at);
+  scene.bodies = {box("brick", Vec3::Constant(at.size), Vec3(0, 0.7 * at.size + 0.1, 0), preset("granite"),
+                      Vec3::Constant(at.size / at.refinement))};
+  scene.bodies[0].velocity = Vec3(0, -0.7, 0);
+  World world(scene);
+  testing::check_at_most("depth below the ground [sizes]", deepest_below_ground(world, 0.5) / at.size, 0.03);
+}
+
+/// The rod rests on a held block in its middle; what falls on its end takes that to the ground within a step.
+TEST_P(LandingLaw, ARodStruckAtItsEndDoesNotSwingIntoTheGround) {
+  const ContactCase& at = GetParam();
+  const double size = at.size, thickness = 0.06 * size, cube = 0.25 * size;
+  Scene scene = testing::empty_scene(at);
+  const Material material = testing::unbreakable(preset("granite"));
+  Material heavy = material;
+  heavy.density *= 20;
+  const Vec3 block = Vec3(0.1, 0.2, 0.2) * size;
+  scene.bodies = {box("block", block, Vec3(0, block.y() / 2, 0), material, block / at.refinement),
+                  box("rod", Vec3(size, thickness, thickness), Vec3(0, block.y() + thickness / 2, 0), material,
+                      Vec3(0.25 * size / at.refinement, thickness, thickness)),
+                  box("cube", Vec3::Constant(cube), Vec3(0.4 * size, block.y() + thickness + 0.55 * cube, 0), heavy,
+                      Vec3::Constant(cube / at.refinement))};
+  scene.bodies[0].supports = {{.region = HalfSpaceRegion{Vec3(0, -size, 0), Vec3::UnitY()}, .can_tear = false}};
+  scene.bodies[2].velocity = Vec3(0, -0.5 * size / at.time_step, 0);
+  World world(scene);
+  testing::check_at_most("depth below the ground [sizes]", deepest_below_ground(world, 20 * at.time_step) / size, 0.05);
+}
+
+INSTANTIATE_TEST_SUITE_P(Grid, LandingLaw, ::testing::ValuesIn(testing::contact_cases({0.01, 0.1, 1})),
+                         testing::contact_case_name);
+
 class StrikingLaw : public testing::ContactLaw<ContactCase> {};
 
 Scene ball_at_ground(const ContactCase& at, const Material& material, double height, double speed) {

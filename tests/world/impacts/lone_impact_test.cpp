@@ -83,7 +83,7 @@ TrialCounts compare_trials(unsigned count, const SceneOf& scene_of) {
     if (impacts.empty()) continue;
     const Impact& impact = impacts.front();
     const Flights flights = {impact.met.strike, impact.met.strike};
-    const TrialOutcome outcome = try_impact(world, impact, flights);
+    const TrialOutcome outcome = try_impact(world, impact, flown(world, impact, flights));
     if (!outcome.touched) continue;
     ++counts.met;
     counts.safe += !outcome.harmful;
@@ -156,7 +156,7 @@ TEST(LoneImpact, KeepsMomentum) {
     const std::vector<Impact> impacts = harmful_impacts(world, 1.0 / 60);
     if (scene.ground || impacts.empty()) continue;
     const Flights flights = {impacts[0].met.strike, impacts[0].met.strike};
-    const TrialOutcome outcome = try_impact(world, impacts[0], flights);
+    const TrialOutcome outcome = try_impact(world, impacts[0], flown(world, impacts[0], flights));
     if (!outcome.harmful) continue;
     const auto [momentum, angular] = momenta(world);
     follow_impact(world, impacts[0], flights, outcome.contact);
