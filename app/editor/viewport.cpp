@@ -101,7 +101,7 @@ bool Viewport::draw_view(const ShownWorld& world, int view, std::optional<int> s
 
 void Viewport::render(int view, bool draft, std::optional<int> samples) {
   ViewSettings settings = view_settings(content_of(view));
-  if (draft) settings.quality = PictureQuality::draft;
+  settings.quality = draft ? PictureQuality::draft : std::min(settings.quality, highest_quality_);
   render::RenderOptions options = picture_options(size(view).x(), size(view).y(), samples, settings);
   options.pixel_scale = picture_options(size(0).x(), size(0).y(), samples, settings).pixel_scale;
   const Content& content = contents_[static_cast<std::size_t>(content_of(view))];

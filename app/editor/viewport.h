@@ -73,6 +73,8 @@ class Viewport {
   void follow_mouse(bool steps_lag);
   /// Lets pictures that take longer than `smooth` [s] be drafts while the camera moves or steps lag.
   void allow_drafts(double smooth = 0.03) { draft_.allow(smooth); }
+  /// Draws no picture in a higher quality than this one, whatever the view has: for tests and slow renderers.
+  void limit_quality(PictureQuality highest) { highest_quality_ = highest; }
   /// True if the next picture is a draft, to be drawn again in full.
   bool draws_draft() const { return draft_.on(); }
   void toggle_slice(const Frame& frame);
@@ -185,6 +187,7 @@ class Viewport {
   render::Camera camera_;
   render::Renderer renderer_;
   DraftQuality draft_;
+  PictureQuality highest_quality_ = PictureQuality::high;
   std::array<Content, ui::kMaxViews> contents_;  ///< by the first view that shows it
   std::array<PictureKey, ui::kMaxViews> drawn_;  ///< keys of the views
   Uploaded uploaded_;

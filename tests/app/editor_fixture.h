@@ -24,6 +24,7 @@ class EditorTest : public ::testing::Test {
  protected:
   explicit EditorTest(const Scene& scene = small_wall(), int width = 1200)
       : imgui_(1), target_(width, 1060), editor_(scene, "") {
+    editor_.viewport().limit_quality(PictureQuality::draft);  // a software renderer takes ten times as long for others
     draw(3);
   }
 
@@ -62,12 +63,16 @@ class EditorTest : public ::testing::Test {
 
   /// Draws until nothing is being built and nothing waits for that, a minute at most.
   void wait_for_work() {
-    const ui::EditorState& state = editor_.state();
-    for (int i = 0; i < 6000 && (!state.work.empty() || !state.waiting.empty()); ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-      draw();
-    }
+    for (int i = 0; i < 6000 && is_working(); ++i) draw_while_working();
     draw(4);  // a dialog needs some to find its place
+  }
+
+  bool is_working() const { return !editor_.state().work.empty() || !editor_.state().waiting.empty(); }
+
+  /// Draws the next frame; leaves the processor to work that goes on in the background.
+  void draw_while_working() {
+    if (is_working()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    draw();
   }
 
   /// Answers the question whether so large a mesh is meant.

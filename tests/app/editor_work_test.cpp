@@ -44,10 +44,7 @@ TEST_F(EditorTest, WorkThatLastsShowsADialogThatCancelsIt) {
     const std::string stage = value("work/stage");
     return stage == "Building bodies" || stage == "Meshing body 1 of 1" || stage == "Checking the surface";
   };
-  for (int i = 0; i < 600 && begins(); ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    draw();
-  }
+  for (int i = 0; i < 600 && begins(); ++i) draw_while_working();
   EXPECT_THAT(value("work/stage"),
               ::testing::AnyOf("Filling with tetrahedra", "Finding the inside", "Finding the border"));
   click("work/cancel");
@@ -66,10 +63,7 @@ TEST_F(EditorTest, TheFirstPictureOfASceneThatTookLongIsItsOwn) {
   EXPECT_GT(hits_across(), 0);
   editor_.builder().open(test_folder() / "behind.json");
   ASSERT_NE(editor_.state().work, "");
-  for (int i = 0; i < 6000 && !editor_.document().title().starts_with("behind"); ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    draw();
-  }
+  for (int i = 0; i < 6000 && !editor_.document().title().starts_with("behind"); ++i) draw_while_working();
   EXPECT_EQ(hits_across(), 0);
 }
 

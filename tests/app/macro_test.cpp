@@ -61,7 +61,7 @@ class MacroTest : public EditorTest {
     while (!player.done() || !queue_.empty() || !editor_.state().work.empty()) {
       player.advance(editor_, queue_);
       queue_.play(ImGui::GetIO());
-      draw();
+      draw_while_working();
     }
   }
 

@@ -98,7 +98,7 @@ class ScriptPlayerTest : public EditorTest {
       player.advance(editor_, queue_);
       queue_.play(ImGui::GetIO());
       editor_.run().advance(1.0 / 60);
-      draw();
+      draw_while_working();
     }
   }
 
