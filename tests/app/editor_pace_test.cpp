@@ -10,10 +10,10 @@
 namespace griffith::app {
 namespace {
 
-/// A wall of 5,120 tetrahedra, of which a step takes longer than it may in a short frame.
+/// A wall of 2,160 tetrahedra, of which a step takes longer than it may in a short frame.
 Scene slow_wall() {
   Scene scene = small_wall();
-  std::get<BoxShape>(scene.bodies[0].shape).element_size = Vec3::Constant(1.0 / 8);
+  std::get<BoxShape>(scene.bodies[0].shape).element_size = Vec3::Constant(1.0 / 6);
   return scene;
 }
 
