@@ -51,6 +51,7 @@ class ViewsTest : public ::testing::Test {
     renderer_ = std::make_unique<render::Renderer>();
     scene_ = rich_wall();
     world_ = std::make_unique<World>(scene_);
+    display_ = std::make_unique<EmbeddedDisplay>(embedded_display(world_->frame(), scene_));
     Scene whole = scene_;
     whole.simulation.fracture = false;
     struck_ = std::make_unique<World>(whole);
@@ -70,7 +71,7 @@ class ViewsTest : public ::testing::Test {
     const Frame frame = world.frame();
     ViewSettings view = scene_.view;
     use_named_view(view, names, frame, Vec3(2, 1, 5));
-    return draw_scene_from_frame(frame, embedded_display(world_->frame(), scene_), scene_, view, {});
+    return draw_scene_from_frame(frame, *display_, scene_, view, {});
   }
 
   static render::Image picture(const World& world, const std::string& names) {
@@ -83,12 +84,14 @@ class ViewsTest : public ::testing::Test {
   static std::unique_ptr<render::EglContext> context_;
   static std::unique_ptr<render::Renderer> renderer_;
   static std::unique_ptr<World> world_, struck_, broken_;
+  static std::unique_ptr<EmbeddedDisplay> display_;
   static Scene scene_;
 };
 
 std::unique_ptr<render::EglContext> ViewsTest::context_;
 std::unique_ptr<render::Renderer> ViewsTest::renderer_;
 std::unique_ptr<World> ViewsTest::world_, ViewsTest::struck_, ViewsTest::broken_;
+std::unique_ptr<EmbeddedDisplay> ViewsTest::display_;
 Scene ViewsTest::scene_;
 
 /// Pixels whose hue is that of `color`, lit or shaded, but not grays.
@@ -128,9 +131,10 @@ TEST_F(ViewsTest, EveryLayerShowsItsSignsInItsColors) {
       {"probes", sign_color::kProbe, true},
   };
   ASSERT_EQ(std::size(cases), view_layers().size());
+  const render::Image plain_struck = picture(*struck_, "plain"), plain_broken = picture(*broken_, "plain");
   for (const LayerCase& test : cases) {
-    const World& world = test.struck ? *struck_ : *broken_;
-    const render::Image plain = picture(world, "plain"), image = picture(world, test.name);
+    const render::Image& plain = test.struck ? plain_struck : plain_broken;
+    const render::Image image = picture(test.struck ? *struck_ : *broken_, test.name);
     save_picture(test_folder() / (std::string(test.name) + ".png"), image);  // for people to look at
     EXPECT_GT(pixels_like(image, test.color), pixels_like(plain, test.color) + 4) << test.name;
   }
