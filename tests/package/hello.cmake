@@ -11,5 +11,5 @@ if(count LESS 2)
   message(SEND_ERROR "nothing broke:\n${masses}")
 endif()
 build_project(${SOURCE}/examples/hello ${WORK}/hello_native -DCMAKE_BUILD_TYPE=Release
-              "-DCMAKE_CXX_FLAGS=-march=native -ffp-contract=fast")
+              "-DCMAKE_CXX_FLAGS=-march=native -ffp-contract=fast" TARGET hello)
 expect_same_run(${WORK}/hello_native/hello)
