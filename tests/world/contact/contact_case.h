@@ -25,13 +25,16 @@ inline std::ostream& operator<<(std::ostream& stream, const ContactCase& at) {
                 << " s";
 }
 
+/// True if the whole grid is asked for.
+inline bool all_contact_cases() { return std::getenv("GRIFFITH_ALL_CONTACT_CASES") != nullptr; }
+
 /// A law of contact over cases. Those that are known to be missed (contact_gaps.txt) are skipped and reported as such,
 /// unless GRIFFITH_ALL_CONTACT_CASES is set.
 template <class Case>
 class ContactLaw : public ::testing::TestWithParam<Case> {
  protected:
   void SetUp() override {
-    if (std::getenv("GRIFFITH_ALL_CONTACT_CASES") != nullptr) return;
+    if (all_contact_cases()) return;
     const ::testing::TestInfo& test = *::testing::UnitTest::GetInstance()->current_test_info();
     const std::string name = std::string(test.test_suite_name()) + "." + test.name();
     std::ifstream gaps(GRIFFITH_SOURCE_DIR "/tests/world/contact/contact_gaps.txt");
@@ -41,16 +44,18 @@ class ContactLaw : public ::testing::TestWithParam<Case> {
   }
 };
 
-/// The grid of these sizes, two meshes and steps of 1/30, 1/60 and 1/250 s. A third of it, in which each size, mesh and
-/// step is found, unless GRIFFITH_ALL_CONTACT_CASES is set.
+/// The grid of these sizes, two meshes and steps of 1/30, 1/60 and 1/250 s. A third of it unless
+/// GRIFFITH_ALL_CONTACT_CASES is set: three sizes have each pair of a mesh and a step once. A fourth size would repeat
+/// those of the first and has the first mesh alone.
 inline std::vector<ContactCase> contact_cases(const std::vector<double>& sizes) {
-  const bool all = std::getenv("GRIFFITH_ALL_CONTACT_CASES") != nullptr;
+  const bool all = all_contact_cases();
   const double steps[] = {1.0 / 30, 1.0 / 60, 1.0 / 250};
   std::vector<ContactCase> cases;
   for (int size = 0; size < static_cast<int>(sizes.size()); ++size)
     for (int mesh = 0; mesh < 2; ++mesh)
       for (int step = 0; step < 3; ++step)
-        if (all || (size + mesh + step) % 3 == 0) cases.push_back({sizes[size], mesh + 1, steps[step]});
+        if (all || ((size + mesh + step) % 3 == 0 && (size < 3 || mesh == 0)))
+          cases.push_back({sizes[size], mesh + 1, steps[step]});
   return cases;
 }
 

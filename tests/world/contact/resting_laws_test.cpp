@@ -8,6 +8,7 @@
 namespace griffith {
 namespace {
 
+using testing::all_contact_cases;
 using testing::box;
 using testing::contact_cases;
 using testing::ContactCase;
@@ -103,6 +104,12 @@ std::ostream& operator<<(std::ostream& stream, const RestingCase& test) {
   return stream << test.name << ", " << test.at;
 }
 
+/// True for the tower of the finest bars in the shortest steps, a third of the time of all laws. Other towers have its
+/// size, its mesh and its step.
+bool repeats_towers(Scene (*scene)(const ContactCase&), const ContactCase& at) {
+  return scene == jenga_tower && at.size < 1 && at.refinement == 2 && at.time_step < 1.0 / 200;
+}
+
 /// Each scene at sizes that its material can carry.
 std::vector<RestingCase> resting_cases() {
   struct Kind {
@@ -123,7 +130,8 @@ std::vector<RestingCase> resting_cases() {
   };
   std::vector<RestingCase> cases;
   for (const Kind& kind : kinds)
-    for (const ContactCase& at : contact_cases(kind.sizes)) cases.push_back({kind.name, kind.scene, at});
+    for (const ContactCase& at : contact_cases(kind.sizes))
+      if (all_contact_cases() || !repeats_towers(kind.scene, at)) cases.push_back({kind.name, kind.scene, at});
   return cases;
 }
 
