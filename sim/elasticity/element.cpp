@@ -43,6 +43,10 @@ ElasticLaw elastic_law(const Material& material) {
   return {material.element_model, lame_lambda(material), shear_modulus(material)};
 }
 
+Mat3 deformation_gradient(const RestElement& rest, const Corners& corners) {
+  return corners * rest.shape_gradients.transpose();
+}
+
 ElementDeformation element_deformation(ElementModel model, const RestElement& rest, const Corners& corners) {
   return simd::deformation_of(model, simd::gradient_of<double>(corners, rest.shape_gradients)).of(0);
 }
@@ -56,6 +60,10 @@ ElementState element_state(const ElasticLaw& law, const ElementDeformation& defo
 Mat3 cauchy_stress(const Mat3& frame, const Mat3& stress) {
   const simd::Matrix3<double> b = simd::numbers(frame);
   return simd::pushed_forward(b * simd::upper_triangle(stress), b, simd::determinant(b, simd::cofactor(b))).of(0);
+}
+
+Corners nodal_forces(const RestElement& rest, const Mat3& frame, const Mat3& stress) {
+  return -rest.volume * (frame * stress) * rest.shape_gradients;
 }
 
 }  // namespace griffith

@@ -36,9 +36,7 @@ struct ElasticLaw {
 ElasticLaw elastic_law(const Material& material);
 
 /// Returns F = sum_i x_i g_iᵀ.
-inline Mat3 deformation_gradient(const RestElement& rest, const Corners& corners) {
-  return corners * rest.shape_gradients.transpose();
-}
+Mat3 deformation_gradient(const RestElement& rest, const Corners& corners);
 
 /// Strain in rest space of a deformation gradient F, and the frame B that maps rest space to the world. The strain's
 /// stress acts with the forces f_i = −V B sigma g_i.
@@ -78,8 +76,6 @@ ElementState element_state(const ElasticLaw& law, const ElementDeformation& defo
 Mat3 cauchy_stress(const Mat3& frame, const Mat3& stress);
 
 /// Returns the nodal forces of a stress of rest space in the world frame: f_i = −V B sigma g_i [N].
-inline Corners nodal_forces(const RestElement& rest, const Mat3& frame, const Mat3& stress) {
-  return -rest.volume * (frame * stress) * rest.shape_gradients;
-}
+Corners nodal_forces(const RestElement& rest, const Mat3& frame, const Mat3& stress);
 
 }  // namespace griffith
