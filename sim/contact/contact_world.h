@@ -48,7 +48,7 @@ enum class Mobility {
 
 /// Time at which a contact has its position. As wide as a number: contacts are hashed by their bytes.
 enum class PositionTime : std::int64_t {
-  start,  ///< of the substep
+  start,  ///< start of the substep
   mean,   ///< mean over the substep, of a point that turns far
 };
 
