@@ -1,3 +1,4 @@
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <map>
 #include <set>
@@ -11,6 +12,22 @@ namespace griffith::explicit_dynamics {
 namespace {
 
 WideQuad wide_vector(const Vec3& v) { return WideQuad{v[0], v[1], v[2], 0}; }
+
+/// Returns the projector onto the directions in which all of some edges may move.
+Mat3 allowed_to_all(const std::vector<ExplicitEdge>& edges, std::span<const int> tied) {
+  constexpr double kNone = 1e-6;
+  Mat3 blocked = Mat3::Zero(), allowed = Mat3::Zero();
+  for (const int edge : tied) blocked += Mat3::Identity() - edges[edge].allowed;
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(blocked);
+  for (int i = 0; i < 3; ++i)
+    if (solver.eigenvalues()[i] < kNone)
+      allowed += solver.eigenvectors().col(i) * solver.eigenvectors().col(i).transpose();
+  return allowed;
+}
+
+bool are_free(const std::vector<ExplicitEdge>& edges, std::span<const int> tied) {
+  return std::ranges::all_of(tied, [&](int edge) { return edges[edge].is_free; });
+}
 
 }  // namespace
 
@@ -81,7 +98,8 @@ double ExplicitBodies::tie_edges(std::span<const std::pair<int, int>> pairs) {
   return lost;
 }
 
-/// Gives edges the velocity of their common momentum. Returns the kinetic energy that this takes [J].
+/// Gives edges the velocity of their common momentum, where supports let all of them move. Returns the kinetic energy
+/// that this takes [J].
 double ExplicitBodies::move_alike(std::span<const int> tied) {
   Vec3 momentum = Vec3::Zero();
   double mass = 0, lost = 0;
@@ -89,9 +107,11 @@ double ExplicitBodies::move_alike(std::span<const int> tied) {
     momentum += edge_velocity(edge) / edges_[edge].inverse_mass;
     mass += 1 / edges_[edge].inverse_mass;
   }
-  const Vec3 common = momentum / mass;
+  Vec3 common = momentum / mass;
+  if (!are_free(edges_, tied)) common = allowed_to_all(edges_, tied) * common;
   for (const int edge : tied) {
-    lost += 0.5 / edges_[edge].inverse_mass * (edge_velocity(edge) - common).squaredNorm();
+    const Vec3 before = edge_velocity(edge);
+    lost += 0.5 / edges_[edge].inverse_mass * (before - common).dot(before + common);
     edge_velocities_[edge].value = wide_vector(common);
   }
   return lost;
@@ -109,17 +129,16 @@ Vec3 ExplicitBodies::edge_force(int index) const {
   return force;
 }
 
-/// Returns the acceleration that edges would have without supports if these moved alike [m/s²].
+/// Returns the acceleration of edges that move alike, where supports let all of them move [m/s²].
 Vec3 ExplicitBodies::common_acceleration(std::span<const int> tied) const {
   Vec3 force = Vec3::Zero();
   double mass = 0;
   for (const int edge : tied) force += edge_force(edge), mass += 1 / edges_[edge].inverse_mass;
-  return force / mass;
+  const Vec3 common = force / mass;
+  return are_free(edges_, tied) ? common : Vec3(allowed_to_all(edges_, tied) * common);
 }
 
-Vec3 ExplicitBodies::edge_acceleration(int index) const {
-  return edges_[index].allowed * common_acceleration(tied_to(index));
-}
+Vec3 ExplicitBodies::edge_acceleration(int index) const { return common_acceleration(tied_to(index)); }
 
 void ExplicitBodies::advance_edges(double kick, double drift) {
   std::vector<Vec3> of_ties;
@@ -131,7 +150,7 @@ void ExplicitBodies::advance_edges(double kick, double drift) {
     const WideQuad force = __builtin_convertvector(sum, WideQuad);
     WideQuad push = kick * (edge.inverse_mass * force + wide_vector(edge.acceleration));
     if (edge.tie >= 0) {
-      push = wide_vector(kick * (edge.allowed * of_ties[edge.tie]));
+      push = wide_vector(kick * of_ties[edge.tie]);
     } else if (!edge.is_free) {
       push = wide_vector(edge.allowed * Vec3(push[0], push[1], push[2]));
     }

@@ -230,6 +230,26 @@ TEST(QuadraticSolid, ShortensItsMicrostepWhereItParts) {
   EXPECT_LT(kinetic(), 2 * early);
 }
 
+/// An edge that is tied to a held one is held as well: neither moves, and what that takes is counted.
+TEST(QuadraticSolid, HoldsEdgesThatAreTiedToHeldOnes) {
+  QuadraticBox box(make_box(Vec3(2, 1, 1), Vec3::Ones(), BoxPattern::five_tet), Material(), curved);
+  box.advance(20);
+  box.bodies.constrain_edge(0, Vec3(1, 0, 0).asDiagonal());
+  const auto energy = [&](int edge) {
+    return 0.5 * box.edge_masses[edge] * box.bodies.edge_velocity(edge).squaredNorm();
+  };
+  const double before = energy(0) + energy(1);
+  const std::array<std::pair<int, int>, 1> pair = {std::pair(0, 1)};
+  const double lost = box.bodies.tie_edges(pair);
+  EXPECT_NEAR(before - energy(0) - energy(1), lost, 1e-9 * before);
+  const Vec3 first = box.bodies.edge_offset(0), second = box.bodies.edge_offset(1);
+  box.advance(20);
+  for (const Vec3& moved : {Vec3(box.bodies.edge_offset(0) - first), Vec3(box.bodies.edge_offset(1) - second)}) {
+    EXPECT_NE(moved.x(), 0);
+    EXPECT_EQ(moved.tail<2>(), Vec2::Zero());
+  }
+}
+
 /// Edges of a body that was parted go on with the forces of their own tets.
 TEST(QuadraticSolid, PartsEdges) {
   const Material material;
