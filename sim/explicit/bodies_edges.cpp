@@ -1,9 +1,9 @@
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <map>
 #include <set>
 
 #include "sim/core/tet_edge_corners.h"
+#include "sim/elasticity/principal_stress.h"
 #include "sim/explicit/explicit_bodies.h"
 #include "sim/explicit/stars.h"
 #include "sim/geometry/disjoint_sets.h"
@@ -18,10 +18,9 @@ Mat3 allowed_to_all(const std::vector<ExplicitEdge>& edges, std::span<const int>
   constexpr double kNone = 1e-6;
   Mat3 blocked = Mat3::Zero(), allowed = Mat3::Zero();
   for (const int edge : tied) blocked += Mat3::Identity() - edges[edge].allowed;
-  const Eigen::SelfAdjointEigenSolver<Mat3> solver(blocked);
+  const PrincipalValues found = principal_values(blocked);
   for (int i = 0; i < 3; ++i)
-    if (solver.eigenvalues()[i] < kNone)
-      allowed += solver.eigenvectors().col(i) * solver.eigenvectors().col(i).transpose();
+    if (found.values[i] < kNone) allowed += found.directions.col(i) * found.directions.col(i).transpose();
   return allowed;
 }
 
