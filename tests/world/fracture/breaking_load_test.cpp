@@ -76,8 +76,7 @@ class BarInTension : public ::testing::TestWithParam<BoxPattern> {};
 
 TEST_P(BarInTension, BreaksAtItsStrengthOnEveryMeshInEveryOrientation) {
   for (int cells : {2, 4, 8})
-    for (const Vec3& degrees : {Vec3(25, -40, 70), Vec3(0, 0, 0), Vec3(0, 0, 90)}) {
-      if (cells == 8 && degrees.x() == 0) continue;  // takes most of the time; turned are coarser ones
+    for (const Vec3& degrees : {Vec3(0, 0, 0), Vec3(0, 0, 90), Vec3(25, -40, 70)}) {
       const double fraction = breaking_fraction(pulled_bar(GetParam(), cells, degrees), {0.95, 1.1, 0.005}, has_parted);
       EXPECT_NEAR(fraction, 1, 0.03) << cells << " cells across, turned by " << degrees.transpose();
     }
