@@ -253,9 +253,9 @@ class ContactWorld {
   };
   /// Returns the meetings within a substep of `dt` [s] > 0, by the impulses in contacts(), that detection left out: of
   /// approaches that could cause damage, and of objects that impulses divert, such as the far end of a rod that is
-  /// struck. Their points may be put in by replace_contacts(), and everything solved again. Of
-  /// groups that solve() left to the owner, only deep overlaps count. Objects marked in `left_out`, per ProxyId, are
-  /// omitted; those beyond its end are not. Other arguments as of expected_impacts().
+  /// struck. Their points may be put in by replace_contacts(), and everything solved again. Of groups that solve() left
+  /// to the owner, only deep overlaps count. Objects marked in `left_out`, per ProxyId, are omitted; those beyond its
+  /// end are not. Other arguments as of expected_impacts().
   std::vector<Meeting> unlisted_meetings(double dt, double minimum_speed, double tolerance,
                                          const std::vector<bool>& left_out) const;
 

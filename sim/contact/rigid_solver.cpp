@@ -95,12 +95,10 @@ class GroupStep {
     const double along = dot(block.normal, apart);
     const Triple down_a = a_moves ? transposed_times(turns_[block.a].less_identity, block.normal) : Triple(),
                  down_b = b_moves ? transposed_times(turns_[block.b].less_identity, block.normal) : Triple();
-    const Triple side_a = cross(block.normal, Triple(bodies_[block.a].rotation)),
-                 side_b = cross(block.normal, Triple(bodies_[block.b].rotation));
     for (int i = block.begin; i < block.end; ++i) {
       Point& point = rows_.points[i];
-      const double turned = point.is_mean ? dot(side_a, point.arm_a) - dot(side_b, point.arm_b)
-                                          : dot(down_a, point.arm_a) - dot(down_b, point.arm_b);
+      const double turned =
+          point.is_mean ? along_tangents(block, point) : dot(down_a, point.arm_a) - dot(down_b, point.arm_b);
       point.gap = point.distance + time * point.driven + along + turned;
       point.target = -std::max(point.gap, 0.0) / h_;
       if (time > 0) point.total += Triple{point.normal, point.first, point.second};
@@ -114,6 +112,12 @@ class GroupStep {
     }
     if (a_moves) motions_[block.a] = a;
     if (b_moves) motions_[block.b] = b;
+  }
+
+  /// Returns how far rotations along tangents open a gap [m].
+  double along_tangents(const Block& block, const Point& point) const {
+    return dot(cross(block.normal, Triple(bodies_[block.a].rotation)), point.arm_a) -
+           dot(cross(block.normal, Triple(bodies_[block.b].rotation)), point.arm_b);
   }
 
   void move(int i) const {

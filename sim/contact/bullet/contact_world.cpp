@@ -198,8 +198,7 @@ std::optional<RigidMass> ContactWorld::rigid_mass(ProxyId object) const {
   const Object& found = impl_->objects[object];
   if (found.hinge >= 0) return impl_->hinged_mass(found);
   if (!found.moves() || found.elastic) return {};
-  const Mat3 rotation = found.state.pose.rotation.toRotationMatrix();
-  return RigidMass{1 / found.inverse_mass, rotation * found.inverse_inertia.inverse() * rotation.transpose()};
+  return RigidMass{1 / found.inverse_mass, world_inertia(found)};
 }
 void ContactWorld::advance(double dt) { impl_->advance(dt); }
 ContactWorld::Correction ContactWorld::position_correction(ProxyId proxy) const {

@@ -19,6 +19,8 @@ namespace griffith::contact {
 
 struct Object;
 double smaller_radius(const Object& a, const Object& b);
+/// Returns the inertia of a free object about its center of mass, in the world frame [kg·m²].
+Mat3 world_inertia(const Object& object);
 /// Returns the kinetic energy of a free object for these velocities at its present orientation [J].
 double kinetic_energy(const Object& object, const Vec3& velocity, const Vec3& spin);
 /// Returns the distance without the allowed overlap; a gap stays a gap.
@@ -333,8 +335,6 @@ struct ContactWorld::Impl : contact::ContactState {
   std::vector<EndOfStep> ends_of_step(double dt) const;
   std::vector<contact::Pair> pairs_at_end(const std::vector<EndOfStep>& ends) const;
   std::vector<Contact> unlisted_points(const contact::Pair& pair, const std::vector<EndOfStep>& ends, double dt) const;
-  Vec3 mean_place(const contact::Object& object, const EndOfStep& end, const Vec3& point) const;
-  Vec3 velocity_at(const contact::Object& object, const EndOfStep& end, const Vec3& position) const;
   bool is_listed(const Contact& contact) const;
   Meeting meeting_of(const contact::Pair& pair, const std::vector<EndOfStep>& ends, double dt,
                      const contact::ImpactRule& rule) const;

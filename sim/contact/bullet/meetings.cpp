@@ -42,6 +42,24 @@ Box box_at(const Object& object, int part, const Place& place) {
   return {center - half, center + half};
 }
 
+/// Returns the mean of a point's place while its object turns by `turn`, relative to the object's center, from where
+/// the center starts.
+Vec3 mean_place(const Object& object, const Mat3& turn, const Vec3& point) {
+  constexpr double kSmall = 1e-6;  // [rad]
+  const Eigen::AngleAxisd rotation(turn);
+  const double angle = rotation.angle();
+  const Vec3 arm = object.place.rotation * point;
+  if (angle < kSmall) return object.place.translation + arm;
+  const Vec3 along = rotation.axis().dot(arm) * rotation.axis(), across = arm - along;
+  return object.place.translation + along +
+         (std::sin(angle) * across + (1 - std::cos(angle)) * rotation.axis().cross(arm)) / angle;
+}
+
+/// Returns the velocity of an object at a position, for these velocities of its own [m/s].
+Vec3 velocity_at(const Object& object, const RigidState& velocities, const Vec3& position) {
+  return velocities.velocity + velocities.angular_velocity.cross(position - object.place.translation);
+}
+
 }  // namespace
 
 ContactWorld::Impl::EndOfStep ContactWorld::Impl::end_of_step(std::size_t index, const Momentum& impulses,
@@ -56,8 +74,7 @@ ContactWorld::Impl::EndOfStep ContactWorld::Impl::end_of_step(std::size_t index,
   state.velocity += push;
   state.angular_velocity += spin;
   state.pose.translation += dt * state.velocity;
-  const Mat3 inertia = turn * object.inverse_inertia.inverse() * turn.transpose();
-  end.turn = free_turn(inertia, state.angular_velocity, dt);
+  end.turn = free_turn(world_inertia(object), state.angular_velocity, dt);
   end.place = {end.turn * turn, state.pose.translation};
   state.pose.rotation = (Quat(end.turn) * state.pose.rotation).normalized();
   const double radius = object.shape.radius, angle = dt * state.angular_velocity.norm();
@@ -105,22 +122,6 @@ std::vector<Pair> ContactWorld::Impl::pairs_at_end(const std::vector<EndOfStep>&
   return near;
 }
 
-/// Returns the mean of a point's place in the substep, relative to the object's center, from the center at its start.
-Vec3 ContactWorld::Impl::mean_place(const Object& object, const EndOfStep& end, const Vec3& point) const {
-  constexpr double kSmall = 1e-6;  // [rad]
-  const Eigen::AngleAxisd turn(end.turn);
-  const Vec3 arm = object.place.rotation * point;
-  if (turn.angle() < kSmall) return object.place.translation + arm;
-  const Vec3 along = turn.axis().dot(arm) * turn.axis(), across = arm - along;
-  return object.place.translation + along +
-         (std::sin(turn.angle()) * across + (1 - std::cos(turn.angle())) * turn.axis().cross(arm)) / turn.angle();
-}
-
-/// Returns the velocity of an object at a position after the impulses [m/s].
-Vec3 ContactWorld::Impl::velocity_at(const Object& object, const EndOfStep& end, const Vec3& position) const {
-  return end.state.velocity + end.state.angular_velocity.cross(position - object.place.translation);
-}
-
 /// True if a contact of the same two objects is listed near a place.
 bool ContactWorld::Impl::is_listed(const Contact& contact) const {
   constexpr double kNear = 0.1;  // of the smaller radius
@@ -147,8 +148,10 @@ std::vector<Contact> ContactWorld::Impl::unlisted_points(const Pair& pair, const
     if (contact.distance > -tolerance) continue;
     const double turn_of_a = end_of_a.state.angular_velocity.norm(), turn_of_b = end_of_b.state.angular_velocity.norm();
     const double share = turn_of_a + turn_of_b > 0 ? turn_of_a / (turn_of_a + turn_of_b) : 0.5;
-    contact.position = share * mean_place(a, end_of_a, point.on_a) + (1 - share) * mean_place(b, end_of_b, point.on_b);
-    const Vec3 parting = velocity_at(a, end_of_a, contact.position) - velocity_at(b, end_of_b, contact.position);
+    contact.position =
+        share * mean_place(a, end_of_a.turn, point.on_a) + (1 - share) * mean_place(b, end_of_b.turn, point.on_b);
+    const Vec3 parting =
+        velocity_at(a, end_of_a.state, contact.position) - velocity_at(b, end_of_b.state, contact.position);
     contact.distance -= dt * contact.normal.dot(parting);
     if (contact.distance > 0 && !is_listed(contact)) points.push_back(contact);
   }

@@ -94,10 +94,8 @@ Vec3 velocity_of_met(const Object& projectile, const Object& met, const Vec3& ce
 
 /// Returns the rotation of a projectile by its spin in `dt` [s] and by its correction.
 Mat3 turn_of(const Object& object, double dt, double fraction) {
-  const Mat3 rotation = object.state.pose.rotation.toRotationMatrix();
-  const Mat3 inertia = rotation * object.inverse_inertia.inverse() * rotation.transpose();
   return rotation_by(fraction * object.correction.rotation) *
-         free_turn(inertia, object.state.angular_velocity, fraction * dt);
+         free_turn(world_inertia(object), object.state.angular_velocity, fraction * dt);
 }
 
 }  // namespace

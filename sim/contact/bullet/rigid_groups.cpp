@@ -19,6 +19,11 @@ constexpr double kHingedMobility = 1e-3;
 
 }  // namespace
 
+Mat3 contact::world_inertia(const Object& object) {
+  const Mat3 rotation = object.state.pose.rotation.toRotationMatrix();
+  return rotation * object.inverse_inertia.inverse() * rotation.transpose();
+}
+
 double contact::smaller_radius(const Object& a, const Object& b) {
   if (a.kind == Kind::ground) return b.shape.radius;
   return b.kind == Kind::ground ? a.shape.radius : std::min(a.shape.radius, b.shape.radius);

@@ -301,10 +301,9 @@ RigidState flown(RigidState state, const Mat3& inertia, double time) {
 }  // namespace
 
 RigidState flown(const Body& body, double time) {
-  const RigidMotion& motion = body.motion;
-  const Pose pose{motion.center, body.orientation};
-  if (body.asleep || body.supported()) return {pose};
-  return flown({pose, motion.velocity, motion.angular_velocity}, motion.inertia, time);
+  const RigidState start = proxy_state(body);
+  if (body.asleep || body.supported()) return {start.pose};
+  return flown(start, body.motion.inertia, time);
 }
 
 RigidState flown(const WorldState& world, ProxyId object, const RigidState& start, double time) {
