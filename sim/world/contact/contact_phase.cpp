@@ -188,6 +188,7 @@ SolvedContacts solve_contacts(WorldState& world, double dt, const MeetingFilter&
   keep_contacts(touched, world.contact_world.drop_near_misses(dt, approach_speeds(world, touched, dt)));
   solved.groups = solve_elastic_contacts(world, touched, dt);
   while (make_struck_bodies_elastic(world, dt) || add_unlisted_contacts(world, dt, leave)) {
+    choose_quasi_static_bodies(world);  // groups have grown
     replace_contacts(world, spread_contacts(world, dt));
     const SolvedContacts earlier = std::exchange(solved, {touched_bodies(world), {}});
     foresee_turns(world, touched, dt);
@@ -242,6 +243,7 @@ void find_contacts(WorldState& world, double dt) {
   world.contact_world.detect(dt);  // before the prediction, by which all that rests is about to fall
   world.contact_world.drop_contacts_of(explicit_objects(world));
   choose_quasi_static_bodies(world);
+  stop_waves(world);
 }
 
 std::vector<ElasticMove> resolve_contacts(WorldState& world, const std::vector<Vec3>& external, double dt,
@@ -249,6 +251,7 @@ std::vector<ElasticMove> resolve_contacts(WorldState& world, const std::vector<V
   wake_disturbed_bodies(world, dt);
   push_rigid_velocities(world);
   add_unlisted_contacts(world, dt, leave);
+  choose_quasi_static_bodies(world);  // bodies woke, and groups have grown
   replace_contacts(world, spread_contacts(world, dt));
   SolvedContacts solved = solve_contacts(world, dt, leave);
   const BeforeContacts before =

@@ -116,8 +116,12 @@ void choose_quasi_static_bodies(WorldState& world) {
     const bool is_costly = group > kLargeGroup || (group > 0 && body.nodes.size() > kLargeBody);
     body.quasi_static = is_costly && reaches_equilibrium(world, body, time_step) && hardly_deforms(world, body) &&
                         !is_driven(world, body);
-    if (body.quasi_static && body.is_deformable()) stop_deforming(world, body);
   }
+}
+
+void stop_waves(WorldState& world) {
+  for (const Body& body : world.bodies)
+    if (body.quasi_static && body.is_deformable()) stop_deforming(world, body);
 }
 
 void limit_deformation(WorldState& world, const TouchedBodies& touched, std::span<const int> bodies) {

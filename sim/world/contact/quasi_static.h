@@ -9,9 +9,10 @@ namespace griffith {
 
 /// Chooses the bodies that are quasi-static in a substep: those of large groups of contacts that cannot deform visibly
 /// before they break and come to equilibrium within a time step. They touch as rigid bodies and deform under the
-/// impulses that they get. The energy of that deformation is next to nothing; that of waves goes to
-/// EnergyAccount::regime_change.
+/// impulses that they get. The energy of that deformation is next to nothing.
 void choose_quasi_static_bodies(WorldState& world);
+/// Stops the waves in quasi-static bodies, whose energy goes to EnergyAccount::regime_change. A substep begins with it.
+void stop_waves(WorldState& world);
 
 /// Returns where nodes touch, per node of the mesh [m]: those of quasi-static bodies where the undeformed ones would
 /// be.
