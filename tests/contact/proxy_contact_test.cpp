@@ -34,6 +34,24 @@ TEST(ProxyContact, ABoxSlidesWhenTheSlopeExceedsItsFriction) {
     }
 }
 
+/// Of many contacts with a plane some represent all: outer parts that hang in the air must not replace the inner one.
+TEST(ProxyContact, ARoundedSideOfManyPartsRestsOnItsLowest) {
+  ContactWorld world(kGravity);
+  world.add_ground(0, {});
+  std::vector<ConvexPart> parts;
+  for (int i = -2; i <= 2; ++i) {
+    parts.push_back(box_part(Vec3(0.2, 0.2, 1)));
+    for (Vec3& corner : parts.back()) corner += Vec3(0.2 * i, 0.002 * i * i, 0);
+  }
+  const ProxyId arch = world.add_proxy(parts, box_mass(Vec3(1, 0.2, 1), 10), Mobility::free, at(Vec3(0, 0.1, 0)), {});
+  double lowest = 1;
+  for (int i = 0; i < 240; ++i) {
+    substep(world, {arch}, kHalfDt, kGravity);
+    lowest = std::min(lowest, world.state(arch).pose.translation.y());
+  }
+  EXPECT_GT(lowest, 0.0998);
+}
+
 TEST(ProxyContact, ABarThatTurnsIsSeenToStrikeWhereverItsCenterGoes) {
   const Vec3 size(2, 0.1, 0.1);
   for (double climb : {-0.1, 0.0, 0.1})

@@ -161,7 +161,8 @@ void ContactWorld::Impl::list_pair(std::span<const Pair> of_pair, double dt) {
   drop_opposing_overlaps(first);
   if (contacts.size() - first <= 4) return;
   std::vector<bool> drops(contacts.size() - first, true);
-  for (const int kept : representative_contacts(std::span(contacts).subspan(first))) drops[kept] = false;
+  const double allowed = allowance(ProxyId(of_pair.front().a), ProxyId(of_pair.front().b));
+  for (const int kept : representative_contacts(std::span(contacts).subspan(first), allowed)) drops[kept] = false;
   drop_contacts(first, drops);
 }
 
