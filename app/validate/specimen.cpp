@@ -75,10 +75,11 @@ SpecimenScene loaded(SpecimenScene specimen, double factor) {
 }
 
 bool fails_statically(const SpecimenScene& specimen, double area) {
-  constexpr int kEquilibria = 8, kRounds = 100;  // a round opens some nodes, so a front may need many
+  constexpr int kRounds = 100;              // a round opens some nodes, so a front may need many
+  const int equilibria = area > 0 ? 8 : 1;  // the first one shows whether anything cracks
   Scene scene = specimen.scene;
   scene.analysis = Analysis::static_;
-  scene.simulation.impact_substeps = kEquilibria;
+  scene.simulation.impact_substeps = equilibria;
   World world(scene, specimen.meshes);
   for (int round = 0; round < kRounds; ++round) {
     world.step();
