@@ -66,10 +66,10 @@ TEST_P(Slab, LaidOnTheGroundCarriesItsWeightAloneAndSleeps) {
 /// Three slabs on two meshes. In steps of each length on the coarse one; on the fine one, whose steps take ten times as
 /// long, in steps of another length for each slab.
 INSTANTIATE_TEST_SUITE_P(Sizes, Slab,
-                         ::testing::Values(LaidSlab{Vec3(12, 0.15, 12), Vec3(1, 0.15, 1)},
-                                           LaidSlab{Vec3(12, 0.15, 12), Vec3(0.5, 0.15, 0.5), {1.0 / 60}},
-                                           LaidSlab{Vec3(4, 0.1, 4), Vec3(0.4, 0.1, 0.4)},
-                                           LaidSlab{Vec3(4, 0.1, 4), Vec3(0.2, 0.1, 0.2), {1.0 / 30}},
+                         ::testing::Values(LaidSlab{Vec3(12, 0.15, 12), Vec3(1.5, 0.15, 1.5)},
+                                           LaidSlab{Vec3(12, 0.15, 12), Vec3(0.75, 0.15, 0.75), {1.0 / 60}},
+                                           LaidSlab{Vec3(4, 0.1, 4), Vec3(0.5, 0.1, 0.5)},
+                                           LaidSlab{Vec3(4, 0.1, 4), Vec3(0.25, 0.1, 0.25), {1.0 / 30}},
                                            LaidSlab{Vec3(2, 0.5, 2), Vec3::Constant(0.5)},
                                            LaidSlab{Vec3(2, 0.5, 2), Vec3::Constant(0.25), {1.0 / 250}}));
 

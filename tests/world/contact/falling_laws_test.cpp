@@ -198,17 +198,19 @@ TEST_P(StrikingLaw, SplintersOnANotchedBeamGainNoEnergy) {
   testing::check_energy(world, 5.0 / 3);
 }
 
-/// Returns the state after a step that is undone, since its microsteps exceed their share of the work, and repeated.
-std::uint64_t state_after_a_repeated_step(int threads) {
+/// Returns the state three steps on.
+std::uint64_t state_after_three_steps(World world, int threads) {
   const ThreadLimit limit(threads);
-  World world(splinters_on_beam({1, 2, 1.0 / 30}));
-  for (int step = 0; step < 33; ++step) world.step();
+  for (int step = 0; step < 3; ++step) world.step();
   return world.state_hash();
 }
 
+/// A step that is undone, since its microsteps exceed their share of the work, and repeated.
 TEST(RepeatedStep, HasTheSameBitsForAnyNumberOfThreads) {
-  const std::uint64_t alone = state_after_a_repeated_step(1);
-  for (const int threads : {2, 4}) EXPECT_EQ(state_after_a_repeated_step(threads), alone) << threads;
+  World world(splinters_on_beam({1, 2, 1.0 / 30}));
+  for (int step = 0; step < 30; ++step) world.step();
+  const std::uint64_t alone = state_after_three_steps(world, 1);
+  for (const int threads : {2, 4}) EXPECT_EQ(state_after_three_steps(world, threads), alone) << threads;
 }
 
 INSTANTIATE_TEST_SUITE_P(Grid, StrikingLaw, ::testing::ValuesIn(testing::contact_cases({0.272, 0.557, 1})),

@@ -155,7 +155,7 @@ Scene thrown_plate(const ContactCase& at, const Material& material, double speed
 void check_stays_above(const ContactCase& at, const Material& material, double speed) {
   World world(thrown_plate(at, material, speed));
   double deepest = 0;
-  while (world.frame().time < at.size / speed + 1) {
+  while (world.frame().time < at.size / speed + 0.5) {
     world.step();
     deepest = std::max(deepest, testing::depth_below(world.frame()));
   }
