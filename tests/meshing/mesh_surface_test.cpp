@@ -305,7 +305,7 @@ TEST(MeshSurface, RandomTrianglesAreMeshedOrRefused) {
       soup.triangles.push_back({corner(), corner(), corner()});
     }
     try {
-      const MeshQuality quality = checked_quality(mesh_surface(soup, options(MeshingMethod::automatic, 0.15)));
+      const MeshQuality quality = checked_quality(mesh_surface(soup, options(MeshingMethod::automatic, 0.25)));
       EXPECT_GT(quality.volume, 0);
       ++meshed;
     } catch (const InputError& error) {

@@ -77,7 +77,8 @@ class BarInTension : public ::testing::TestWithParam<BoxPattern> {};
 TEST_P(BarInTension, BreaksAtItsStrengthOnEveryMeshInEveryOrientation) {
   for (int cells : {2, 4, 8})
     for (const Vec3& degrees : {Vec3(0, 0, 0), Vec3(0, 0, 90), Vec3(25, -40, 70)}) {
-      const double fraction = breaking_fraction(pulled_bar(GetParam(), cells, degrees), {0.95, 1.1, 0.005}, has_parted);
+      const double fraction =
+          breaking_fraction(pulled_bar(GetParam(), cells, degrees), {0.945, 1.045, 0.02}, has_parted);
       EXPECT_NEAR(fraction, 1, 0.03) << cells << " cells across, turned by " << degrees.transpose();
     }
 }
@@ -85,7 +86,7 @@ TEST_P(BarInTension, BreaksAtItsStrengthOnEveryMeshInEveryOrientation) {
 TEST_P(BarInTension, BreaksAtNearlyTheSameLoadWhenItIsRemeshed) {
   for (const Vec3& degrees : {Vec3(0, 0, 0), Vec3(0, 0, 90), Vec3(25, -40, 70)}) {
     Scene scene = pulled_bar(GetParam(), 4, degrees);
-    const LoadRamp ramp{0.9, 1.2, 0.005};
+    const LoadRamp ramp{0.9, 1.2, 0.02};
     const double along_faces = breaking_fraction(scene, ramp, has_parted);
     scene.bodies[0].remeshing = true;
     int tets = 0;
@@ -112,7 +113,7 @@ Scene stretched_bar(BoxPattern pattern, int cells) {
     bar.supports.push_back(grip);
   }
   scene.analysis = Analysis::static_;
-  scene.simulation.time_step = 0.02;
+  scene.simulation.time_step = 0.05;
   return scene;
 }
 

@@ -81,7 +81,7 @@ TEST_P(Snapshot, ACopyOfTheWorldGoesOnAsTheWorldDid) {
     const int taken = std::uniform_int_distribution(step, step + 8)(random);
     shown_until(world, scene, step, taken);
     const World snapshot = world;
-    const int end = taken + 6;
+    const int end = taken + 4;
     const std::vector<Shown> first = shown_until(world, scene, taken, end);
     World restored = snapshot;
     EXPECT_EQ(restored.state_hash(), snapshot.state_hash());
