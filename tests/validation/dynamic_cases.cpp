@@ -255,18 +255,21 @@ double arrival(const Scene& scene) {
 
 }  // namespace
 
-std::vector<Row> longitudinal_wave(Extent) {
+std::vector<Row> longitudinal_wave(Extent extent) {
+  // The finest bar takes four times as long as the others together.
+  const std::vector<int> meshes = extent == Extent::test ? std::vector{50, 100, 200} : std::vector{100, 200, 400};
+  const double finest_arrival = extent == Extent::test ? 0.987 : 0.992;
   std::vector<Row> rows;
   for (BoxPattern pattern : kPatterns) {
     double coarser = 0;
-    for (int cells : {100, 200, 400}) {
+    for (int cells : meshes) {
       const double time = arrival(pushed_bar(pattern, cells));
       rows.push_back(at_least(mesh_label(pattern, cells), "arrival; that at n/2", coarser, time));
       rows.push_back(at_most(mesh_label(pattern, cells), "arrival; an ideal wave's", 1, time));
       coarser = time;
     }
     if (pattern == BoxPattern::bcc) continue;
-    rows.push_back(near(mesh_label(pattern, 400), "arrival", 0.992, coarser, 0.002));
+    rows.push_back(near(mesh_label(pattern, meshes.back()), "arrival", finest_arrival, coarser, 0.002));
   }
   return rows;
 }
