@@ -33,7 +33,7 @@ TEST(ThinSheet, IsNotPushedFromItsFarSide) {
     Scene scene = glass_table();
     scene.simulation.step_budget = budget;
     World world(scene);
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < 30; ++i) {
       world.step();
       const EnergyAccount& energy = world.frame().energy;
       ASSERT_LT(std::abs(energy.unaccounted()), 0.01 * energy.turned_over()) << "step " << i << ", budget " << budget;

@@ -19,7 +19,7 @@ Scene struck_plate(double time_step, std::initializer_list<double> speeds) {
   scene.simulation.step_budget = 1000;
   BodyDescription& plate = scene.bodies.emplace_back();
   plate.material = *find_material_preset("concrete");
-  plate.shape = BoxShape{Vec3(1, 1, 0.1), Vec3(0.1, 0.1, 0.05), BoxPattern::five_tet};
+  plate.shape = BoxShape{Vec3(1, 1, 0.1), Vec3(0.125, 0.125, 0.05), BoxPattern::five_tet};
   for (const double speed : speeds) {
     ProjectileBurst& ball = scene.projectiles.emplace_back();
     ball.start = 0.05 * static_cast<double>(scene.projectiles.size() - 1);
