@@ -66,7 +66,7 @@ TEST_F(BodiesTest, BodiesAreAddedBesideEachOtherOnTheGround) {
     right = end;
   }
   EXPECT_EQ(bodies(), 6u);
-  for (int i = 0; i < 30; ++i) editor_.run().step();
+  for (int i = 0; i < 15; ++i) editor_.run().step();
   EXPECT_EQ(editor_.run().frame().crack_events.size(), 0u) << "what stands there stays whole";
   EXPECT_EQ(editor_.run().frame().bodies.size(), 6u);
 }
@@ -189,7 +189,7 @@ Scene large_blocks() {
   for (int i = 0; i < 3; ++i) {
     BodyDescription block;
     block.name = "block " + std::to_string(i + 1);
-    block.shape = BoxShape{Vec3::Constant(1), Vec3::Constant(1.0 / 28)};
+    block.shape = BoxShape{Vec3::Constant(1), Vec3::Constant(1.0 / 24)};
     block.position = Vec3(1.5 * i, 0.5, 0);
     block.supports = {{HalfSpaceRegion{Vec3(0, -0.5, 0), -Vec3::UnitY()}}};  // whose static start is to be found
     scene.bodies.push_back(block);

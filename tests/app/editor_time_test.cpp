@@ -286,7 +286,7 @@ class FarTravelTest : public EditorTest {
  protected:
   static Scene slow_wall() {
     Scene scene = small_wall();
-    std::get<BoxShape>(scene.bodies[0].shape).element_size = Vec3::Constant(1.0 / 12);
+    std::get<BoxShape>(scene.bodies[0].shape).element_size = Vec3::Constant(1.0 / 9);
     scene.projectiles.clear();
     Load later;  // keeps it awake: a sleeper would be back at once
     later.region = HalfSpaceRegion{Vec3::Zero(), Vec3::UnitY()};

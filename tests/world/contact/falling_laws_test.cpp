@@ -127,8 +127,15 @@ Scene ball_at_ground(const ContactCase& at, const Material& material, double hei
   return scene;
 }
 
+/// True for the largest ball on the fine mesh, a fifth of the time of all laws. Other balls have its size, its mesh and
+/// its step.
+bool repeats_balls(const ContactCase& at) {
+  return at.size == 1 && at.refinement == 2 && !testing::all_contact_cases();
+}
+
 // Energy is what gravity and the start put in, less what is lost.
 TEST_P(StrikingLaw, ASoftBallOfGreenStrainGainsNoEnergy) {
+  if (repeats_balls(GetParam())) GTEST_SKIP() << "repeats others";
   Material soft;
   soft.young_modulus = 64400;
   soft.tensile_strength = 1080;
