@@ -17,7 +17,7 @@ int best_of(const std::vector<int>& group, Value value) {
 /// True if a contact is deeper than all of others by more than a small share of the distances between them, and than
 /// is allowed [m].
 bool is_deeper(std::span<const Contact> contacts, int contact, const std::vector<int>& others, double allowed) {
-  constexpr double kMargin = 0.01;
+  constexpr double kMargin = 1e-3;
   return std::ranges::all_of(others, [&](int i) {
     const double apart = (contacts[i].position - contacts[contact].position).norm();
     return contacts[contact].distance < std::min(contacts[i].distance, -allowed) - kMargin * apart;
