@@ -22,6 +22,18 @@ TEST(FrameSchedule, DrawsSomeFramesAfterWhatHappenedAndThenNone) {
   EXPECT_EQ(schedule.seconds_to_wait(kDrawAtOnce), kDrawAtOnce);
 }
 
+TEST(FrameSchedule, DrawsSomeFramesAfterTheEndOfWhatWentOnByItself) {
+  constexpr double kWork = 0.1, kBlink = 0.5;
+  for (const double next : {kDrawNever, kBlink}) {
+    FrameSchedule schedule;
+    while (schedule.seconds_to_wait(kWork) == kDrawAtOnce) schedule.drew();
+    int drawn = 0;
+    for (; schedule.seconds_to_wait(next) == kDrawAtOnce; ++drawn) schedule.drew();
+    EXPECT_GE(drawn, 4) << "a report in a dialog";
+    EXPECT_EQ(schedule.seconds_to_wait(next), next) << "once";
+  }
+}
+
 TEST_F(EditorTest, APausedWindowHasNothingToDraw) {
   draw(10);
   EXPECT_EQ(editor_.seconds_to_next_frame(), kDrawNever);
