@@ -68,7 +68,9 @@ NodeId nearest_corner(const ShownMesh& shown, TetId tet, const render::Ray& ray)
 
 void select(ui::EditorState& state, const Frame& frame, const ui::Selection& selection) {
   state.selection = selection;
-  if (selection.valid()) state.selected_body = frame.bodies[frame.elements.bodies[selection.tet]].scene_body;
+  if (!selection.valid()) return;
+  state.selected_body = frame.bodies[frame.elements.bodies[selection.tet]].scene_body;
+  state.entries.clear();  // the outliner shows the same body as the other panels
 }
 
 void select_node(ui::EditorState& state, const Frame& frame, NodeId node) {

@@ -7,6 +7,7 @@
 #include "sim/elasticity/principal_stress.h"
 #include "sim/scene/scene_writer.h"
 #include "sim/world/output/node_report.h"
+#include "ui/model/entry_choice.h"
 #include "ui/model/units.h"
 
 namespace griffith::app {
@@ -16,6 +17,23 @@ TEST_F(EditorTest, ClickInTheViewSelectsAnElementOfTheWall) {
   click("viewport");
   EXPECT_TRUE(editor_.state().selection.valid());
   EXPECT_EQ(value("value/Element"), std::to_string(editor_.state().selection.tet.index()));
+}
+
+TEST_F(EditorTest, TheOutlinerShowsTheBodyOfTheNodeThatIsExplained) {
+  editor_.execute({.name = "add.box"});
+  wait_for_work();
+  const auto shown = [this] { return ui::active_entry(editor_.state(), editor_.document().scene()); };
+  const auto body = [](int index) { return ui::SceneEntry{ui::EntryKind::body, index}; };
+  EXPECT_EQ(shown(), body(1));
+  select_node(editor_.state(), editor_.run().frame(), NodeId(0));
+  draw();
+  EXPECT_EQ(shown(), body(0));
+  editor_.execute({.name = "add.box"});
+  wait_for_work();
+  editor_.run().step();
+  draw();
+  EXPECT_EQ(shown(), body(2)) << "a new body is shown until a node is selected again";
+  EXPECT_EQ(editor_.state().selected_body, 2);
 }
 
 /// A wall under fire none of whose pieces becomes rigid.
