@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <sstream>
 
 #include "ui/widgets/widgets.h"
 #include "ui_driver.h"
@@ -287,6 +288,24 @@ TEST(EditorLayout, LongLabelsEndInDotsBeforeTheirWidget) {
     EXPECT_TRUE(text.starts_with(kept));
     EXPECT_NE(text[kept.size()] & 0xc0, 0x80) << "within a letter";
   }
+  ImGui::EndFrame();
+}
+
+TEST(EditorLayout, LinesEndAtSpacesAndNumbersStayWhole) {
+  UiDriver ui(two_walls());
+  ImGui::NewFrame();
+  const std::string text = "Broke at 0.186 s (step 23):\nthe load of 1.79 MPa was 196.5 % of it. Extraordinarily.";
+  for (float width = 1; width < 800; width += 13) {
+    const std::string lines = broken_into_lines(text, width);
+    ASSERT_EQ(lines.size(), text.size());
+    for (std::size_t i = 0; i < text.size(); ++i)
+      EXPECT_TRUE(lines[i] == text[i] || (lines[i] == '\n' && text[i] == ' ')) << lines;
+    std::istringstream stream(lines);
+    for (std::string line; std::getline(stream, line);)
+      EXPECT_TRUE(ImGui::CalcTextSize(line.c_str()).x <= width || line.find(' ') == std::string::npos) << line;
+  }
+  EXPECT_EQ(broken_into_lines(text, 1e4f), text);
+  EXPECT_EQ(broken_into_lines("", 10), "");
   ImGui::EndFrame();
 }
 

@@ -33,11 +33,7 @@ constexpr std::array<std::pair<const char*, const char*>, 14> kMouseHelp = {{
 void labeled_text(const char* label, const std::string& text, ImU32 color) {
   if (text.empty()) return;
   ImGui::TextColored(as_vec4(palette::kTextDim), "%s", label);
-  ImGui::PushTextWrapPos(0);
-  ImGui::PushStyleColor(ImGuiCol_Text, color);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopStyleColor();
-  ImGui::PopTextWrapPos();
+  wrapped_text(text, color);
   ImGui::Spacing();
 }
 
@@ -134,7 +130,7 @@ void help_table_row(const char* keys, const char* text) {
   ImGui::TableNextColumn();
   ImGui::TextColored(as_vec4(palette::kAccent), "%s", keys);
   ImGui::TableNextColumn();
-  ImGui::TextWrapped("%s", text);
+  wrapped_text(text);
 }
 
 void help_dialog(Panel& panel) {

@@ -22,7 +22,7 @@ void draw_large_mesh_dialog(Panel& panel) {
   if (state.large_mesh) {
     const std::string text = "The bodies would have about " + count_text(rounded(*state.large_mesh)) +
                              " tetrahedra. Building them may take minutes and gigabytes, and each step seconds.";
-    ImGui::TextWrapped("%s", text.c_str());
+    wrapped_text(text);
     tag_last_item(panel.tags, "large_mesh/text", text);
   }
   ImGui::Spacing();

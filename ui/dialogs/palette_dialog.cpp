@@ -77,9 +77,7 @@ bool palette_row(Panel& panel, const PaletteItem& item, bool chosen) {
 void describe(const Panel& panel, const PaletteItem* chosen) {
   const std::string reason = chosen ? chosen->disabled_reason : "No command matches.";
   const std::string text = reason.empty() ? chosen->hint : reason;
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextColored(as_vec4(reason.empty() ? palette::kTextDim : palette::kWarning), "%s", text.c_str());
-  ImGui::PopTextWrapPos();
+  wrapped_text(text, reason.empty() ? palette::kTextDim : palette::kWarning);
   tag_last_item(panel.tags, "palette/help", text);
 }
 

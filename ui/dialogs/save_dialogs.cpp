@@ -112,7 +112,7 @@ void draw_save_dialog(Panel& panel) {
 void draw_replacement_dialog(Panel& panel) {
   std::optional<Replacement>& replacement = panel.state.replacement;
   if (!begin_dialog(panel, "Replace the file?", replacement.has_value(), 480)) return;
-  ImGui::TextWrapped("%s Its content would be lost.", replacement->problem.c_str());
+  wrapped_text(replacement->problem + " Its content would be lost.");
   tag_last_item(panel.tags, "replace/problem", replacement->problem);
   ImGui::Spacing();
   const float width = kButtonWidth * ui_scale(panel);
@@ -133,7 +133,7 @@ void draw_replacement_dialog(Panel& panel) {
 void draw_unsaved_dialog(Panel& panel) {
   std::optional<Command>& command = panel.state.unsaved;
   if (!begin_dialog(panel, "Unsaved edits", command.has_value(), 480)) return;
-  ImGui::TextWrapped("%s would discard them.", std::string(command_info(command->name, panel).leaves).c_str());
+  wrapped_text(std::string(command_info(command->name, panel).leaves) + " would discard them.");
   ImGui::Spacing();
   const float width = kButtonWidth * ui_scale(panel);
   const bool saved = text_button(panel, "unsaved/save", "Save", width);
@@ -155,8 +155,8 @@ void draw_unsaved_dialog(Panel& panel) {
 void draw_recovery_dialog(Panel& panel) {
   const std::string& edits = panel.state.recoverable_edits;
   if (!begin_dialog(panel, "Recover unsaved edits", !edits.empty(), 520)) return;
-  ImGui::TextWrapped("Griffith quit before these edits were saved. It kept a copy:");
-  ImGui::TextWrapped("%s", edits.c_str());
+  wrapped_text("Griffith quit before these edits were saved. It kept a copy:");
+  wrapped_text(edits);
   tag_last_item(panel.tags, "left_edits/text", edits);
   ImGui::Spacing();
   const float width = kButtonWidth * ui_scale(panel);

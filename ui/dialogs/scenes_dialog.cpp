@@ -142,9 +142,7 @@ const SceneCard* card_list(Panel& panel, std::span<const SceneCard* const> cards
 void about(Panel& panel, const SceneCard* card) {
   const std::string text = card ? card->description : "No scene matches.";
   ImGui::BeginChild("##about", {0, 2.2f * ImGui::GetTextLineHeightWithSpacing()});
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextColored(as_vec4(card && card->readable ? palette::kText : palette::kWarning), "%s", text.c_str());
-  ImGui::PopTextWrapPos();
+  wrapped_text(text, card && card->readable ? palette::kText : palette::kWarning);
   tag_last_item(panel.tags, "scenes/about", text);
   ImGui::EndChild();
 }

@@ -27,11 +27,7 @@ void fill(Panel& panel) {
 
 void text_lines(Panel& panel, const char* tag, const std::vector<std::string>& lines, ImU32 color) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    ImGui::PushTextWrapPos(0);
-    ImGui::PushStyleColor(ImGuiCol_Text, color);
-    ImGui::TextUnformatted(lines[i].c_str());
-    ImGui::PopStyleColor();
-    ImGui::PopTextWrapPos();
+    wrapped_text(lines[i], color);
     tag_last_item(panel.tags, tag + std::to_string(i), lines[i]);
   }
 }

@@ -44,7 +44,7 @@ void draw_caption(Panel& panel) {
   ImGui::Begin("##caption", nullptr, kCaptionFlags);
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();
-  ImGui::TextWrapped("%s", caption->text.c_str());
+  wrapped_text(caption->text);
   tag_last_item(panel.tags, "caption/text", caption->text);
   ImGui::Spacing();
   const float width = 90 * ui_scale(panel);

@@ -50,9 +50,7 @@ void log_bar(Panel& panel, std::span<const LogLine* const> lines) {
 void log_lines(Panel& panel, std::span<const LogLine* const> lines) {
   ImGui::BeginChild("##lines");
   for (const LogLine* line : lines) {
-    ImGui::PushStyleColor(ImGuiCol_Text, level_color(line->level));
-    ImGui::TextWrapped("%s", line->text.c_str());
-    ImGui::PopStyleColor();
+    wrapped_text(line->text, level_color(line->level));
     tag_last_item(panel.tags, "log/line", line->text);
   }
   if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY()) ImGui::SetScrollHereY(1);

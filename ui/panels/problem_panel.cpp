@@ -30,9 +30,7 @@ void problem_row(Panel& panel, const SceneProblem& problem, const std::string& t
   ImGui::SetCursorPos(corner);
   ImGui::TextUnformatted(fitted(place, place_width - 2 * ImGui::GetStyle().ItemSpacing.x).c_str());
   ImGui::SetCursorPos({corner.x + place_width, corner.y});
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextColored(as_vec4(palette::kWarning), "%s", text.c_str());
-  ImGui::PopTextWrapPos();
+  wrapped_text(text, palette::kWarning);
   ImGui::SetCursorPos(next);
 }
 

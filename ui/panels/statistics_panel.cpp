@@ -83,9 +83,7 @@ void overlap_warning(const Panel& panel) {
   const std::optional<DeepOverlap> overlap = deep_overlap(panel.input.frame);
   if (!overlap) return;
   const std::string text = text_of(*overlap);
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextColored(as_vec4(palette::kWarning), "%s", text.c_str());
-  ImGui::PopTextWrapPos();
+  wrapped_text(text, palette::kWarning);
   tag_last_item(panel.tags, "statistics/overlap", text);
 }
 

@@ -23,9 +23,7 @@ void draw_symbol_panel(Panel& panel) {
       symbol_report(*panel.state.symbol, input.frame, panel.history.scene(), contact_time(input));
   if (!report) return;
   heading(panel, report->title.c_str());
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(report->sentence.c_str());
-  ImGui::PopTextWrapPos();
+  wrapped_text(report->sentence);
   tag_last_item(panel.tags, "symbol/sentence", report->sentence);
   for (const SymbolReport::Row& row : report->rows)
     value_row(panel, ("symbol/" + row.label).c_str(), row.label.c_str(), row.value, palette::kText);

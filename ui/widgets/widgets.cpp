@@ -69,13 +69,31 @@ void value_row(const Panel& panel, const char* tag, const char* label, const std
   tag_last_item(panel.tags, tag, value);
 }
 
+std::string broken_into_lines(std::string_view text, float width) {
+  std::string lines(text);
+  std::size_t start = 0, last_space = std::string::npos;
+  for (std::size_t i = 0; i <= lines.size(); ++i) {
+    if (i < lines.size() && lines[i] != ' ' && lines[i] != '\n') continue;
+    const bool too_wide = ImGui::CalcTextSize(lines.data() + start, lines.data() + i).x > width;
+    if (too_wide && last_space != std::string::npos) {
+      lines[last_space] = '\n';
+      start = last_space + 1;
+    }
+    last_space = i;
+    if (i < lines.size() && lines[i] == '\n') start = i + 1, last_space = std::string::npos;
+  }
+  return lines;
+}
+
+void wrapped_text(std::string_view text, ImU32 color) {
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  ImGui::TextUnformatted(broken_into_lines(text, ImGui::GetContentRegionAvail().x).c_str());
+  ImGui::PopStyleColor();
+}
+
 void hint(const Panel& panel, const std::string& text) {
   ImGui::PushFont(panel.input.fonts.small);
-  ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
+  wrapped_text(text, palette::kTextDim);
   ImGui::PopFont();
 }
 

@@ -39,6 +39,12 @@ void value_row(const Panel& panel, const char* label, const std::string& value, 
 /// Draws such a row with another tag.
 void value_row(const Panel& panel, const char* tag, const char* label, const std::string& value, ImU32 color);
 
+/// Returns the text with line ends in place of spaces, so that lines are at most so wide [pixels] in the current font.
+/// Longer words stay whole. ImGui would break numbers, too, after their points.
+std::string broken_into_lines(std::string_view text, float width);
+/// Draws a text that wraps at spaces.
+void wrapped_text(std::string_view text, ImU32 color = palette::kText);
+
 /// Draws a small gray text that wraps.
 void hint(const Panel& panel, const std::string& text);
 
