@@ -9,6 +9,7 @@ namespace griffith::app {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 class MicrostepsTest : public EditorTest {
@@ -137,11 +138,16 @@ TEST_F(MicrostepsTest, BelongToTheNextStepWhereTheRunStoppedBeforeACrack) {
   show_microsteps();
   ASSERT_TRUE(editor_.state().microsteps);
   EXPECT_EQ(value("toolbar/step"), "step " + std::to_string(step + 1));
+  EXPECT_FALSE(ui::find_tag(editor_.tags(), "time/stopped"));
+  EXPECT_THAT(value("inspector/verdict"), HasSubstr("Cracks later in this step"));
   click("command/time.end");
   EXPECT_FALSE(editor_.run().frame().crack_events.empty());
+  EXPECT_THAT(value("inspector/verdict"), Not(HasSubstr("Cracks "))) << "it has cracked by now";
+  EXPECT_THAT(value("inspector/verdict"), HasSubstr("Broke at"));
   press_key('U');
   EXPECT_EQ(hash(), before);
   EXPECT_TRUE(editor_.state().stop) << "it still stands before the crack";
+  EXPECT_THAT(value("inspector/verdict"), HasSubstr("Cracks in the next step"));
 }
 
 TEST_F(MicrostepsTest, AreLeftByWhatChangesTheRun) {

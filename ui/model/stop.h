@@ -19,11 +19,12 @@ struct ComingCrack {
   double utilization() const { return load / resistance; }
 };
 
-/// Reason why the simulation stopped by itself before a step; valid in that state alone.
+/// Reason why the simulation stopped by itself before a step; valid in that state and the microsteps of the step.
 struct Stop {
   std::string reason;               ///< "Node 12 cracks in the next step."
   NodeId node;                      ///< existing node that cracks; invalid: none
   std::vector<ComingCrack> cracks;  ///< first crack of each existing node that cracks in the next step
+  bool begun = false;               ///< that step has begun: one of its microsteps is shown
 };
 
 }  // namespace griffith::ui

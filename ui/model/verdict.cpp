@@ -47,14 +47,16 @@ std::string breaking(const CrackEvent& event, std::string_view unit) {
   return text;
 }
 
-/// Predicts the next step. `now`: utilization before it, if measured.
-std::string about_to_crack(const ComingCrack& coming, const Frame& frame, const NodeReport& report,
+/// Predicts the next step, or the rest of one that has `begun`.
+std::string about_to_crack(const ComingCrack& coming, bool begun, const Frame& frame, const NodeReport& report,
                            std::string_view unit) {
-  std::string text = "Cracks in the next step, at " + format_quantity(coming.time, "s", 3) + " (step " +
-                     std::to_string(frame.step + 1) + "): a load of " + format_quantity(coming.load, unit, 3) +
-                     " will be " + percent(coming.load / coming.resistance) + " of the resistance.";
+  std::string text = std::string("Cracks ") + (begun ? "later in this step" : "in the next step") + ", at " +
+                     format_quantity(coming.time, "s", begun ? 6 : 3) + " (step " + std::to_string(frame.step + 1) +
+                     "): a load of " + format_quantity(coming.load, unit, 3) + " will be " +
+                     percent(coming.utilization()) + " of the resistance.";
   if (std::isfinite(report.separation.resistance))
-    text += " In this step the load is " + percent(report.separation.utilization) + " of it.";
+    text += std::string(begun ? " At this moment" : " In this step") + " the load is " +
+            percent(report.separation.utilization) + " of it.";
   return text;
 }
 
@@ -149,9 +151,9 @@ std::string of_piece(NodeState::Piece piece) {
     case NodeState::Piece::asleep:
       return "Its piece is asleep: it stays at rest under its present load until an impact.";
     case NodeState::Piece::rigid:
-      return "Its piece moves as a rigid body: its small residual stress stays the same until an impact.";
+      return "Its piece moves as a rigid body: its stress stays as it was until an impact.";
     case NodeState::Piece::rigid_asleep:
-      return "Its piece is asleep as a rigid body: its small residual stress stays the same until an impact.";
+      return "Its piece is asleep as a rigid body: its stress stays as it was until an impact.";
     case NodeState::Piece::single_element:
       return "A single element cannot break any further.";
   }
@@ -187,12 +189,12 @@ Verdict::Kind kind_of(const NodeState& state) {
   return state.load == NodeState::Load::near ? Verdict::Kind::near : Verdict::Kind::holds;
 }
 
-/// Returns the verdict without the note on stand-in materials.
-Verdict bare_verdict(const NodeState& state, const NodeReport& report, const Frame& frame, bool fracture) {
+/// Returns the verdict without the note on stand-in materials. `begun`: as in Stop.
+Verdict bare_verdict(const NodeState& state, const NodeReport& report, const Frame& frame, bool fracture, bool begun) {
   const std::string_view unit = fracture_law(frame.materials[frame.bodies[report.body].scene_body]).unit;
   const bool rigid = state.piece != NodeState::Piece::elastic && state.piece != NodeState::Piece::asleep;
   std::vector<std::string> sentences;
-  if (state.coming) sentences.push_back(about_to_crack(*state.coming, frame, report, unit));
+  if (state.coming) sentences.push_back(about_to_crack(*state.coming, begun, frame, report, unit));
   if (state.crack) sentences.push_back(breaking(*state.crack, unit));
   if (!rigid && !state.coming) sentences.push_back(under_load(state, report, frame, fracture));
   sentences.push_back(of_piece(state.piece));
@@ -227,6 +229,15 @@ std::string origin_of_load(const NodeReport& report, const Material& material) {
   return law.is_stress() || report.load > 0 ? filled_in(law.origin, report, material) : "no tension";
 }
 
+std::optional<ComingCrack> coming_crack(const std::optional<Stop>& stop, NodeId node, const Frame& frame) {
+  if (!stop) return {};
+  const auto coming = std::ranges::find(stop->cracks, node, &ComingCrack::node);
+  if (coming == stop->cracks.end()) return {};
+  const bool has_come = std::ranges::any_of(
+      frame.crack_events, [&](const CrackEvent& event) { return event.node == node && event.time >= coming->time; });
+  return has_come ? std::nullopt : std::optional(*coming);
+}
+
 NodeState node_state(const NodeReport& report, const Frame& frame, const std::optional<Stop>& stop) {
   NodeState state;
   state.load = load_state(report.separation);
@@ -234,15 +245,13 @@ NodeState node_state(const NodeReport& report, const Frame& frame, const std::op
   if (!report.events.empty()) state.crack = &frame.crack_events[report.events.back()];
   state.cracked_now = state.crack && step_of(*state.crack) == frame.step;
   if (state.cracked_now && is_load_of(*state.crack, report.separation)) state.load = NodeState::Load::unmeasured;
-  if (stop)
-    for (const ComingCrack& coming : stop->cracks)
-      if (coming.node == report.node) state.coming = coming;
+  state.coming = coming_crack(stop, report.node, frame);
   return state;
 }
 
 Verdict verdict_on(const NodeReport& report, const Frame& frame, bool fracture, const std::optional<Stop>& stop) {
   const NodeState state = node_state(report, frame, stop);
-  Verdict verdict = bare_verdict(state, report, frame, fracture);
+  Verdict verdict = bare_verdict(state, report, frame, fracture, stop && stop->begun);
   verdict.text += scaling_note(report, frame);
   return verdict;
 }

@@ -10,8 +10,7 @@ namespace griffith::ui {
 
 /// Text if no node can be the most loaded one.
 inline constexpr char kNothingStrained[] =
-    "all pieces move as rigid bodies. Their small residual stress stays the same until something hits "
-    "them.";
+    "all pieces move as rigid bodies. Their stress stays as it was until something hits them.";
 
 /// Returns the step that opened a crack as the timeline counts it: the number of the resulting state.
 inline std::int64_t step_of(const CrackEvent& crack) { return crack.step + 1; }
@@ -27,8 +26,11 @@ struct NodeState {
   Piece piece = Piece::elastic;
   const CrackEvent* crack = nullptr;  ///< last crack at the node; null: never cracked
   bool cracked_now = false;           ///< that crack opened in the step that led to this state
-  std::optional<ComingCrack> coming;  ///< crack of the next step
+  std::optional<ComingCrack> coming;  ///< crack of the next step, or later in a step that has begun
 };
+
+/// Returns the crack that is still to come at a node. `stop`: as for node_state().
+std::optional<ComingCrack> coming_crack(const std::optional<Stop>& stop, NodeId node, const Frame& frame);
 
 /// Returns the state of a node. `stop`: reason why the simulation stopped in this state, which predicts the next
 /// cracks.

@@ -1,4 +1,5 @@
 #include "sim/scene/region.h"
+#include "ui/model/verdict.h"
 #include "ui/panels/overlays.h"
 #include "ui/panels/view_drawing.h"
 #include "ui/widgets/style.h"
@@ -22,14 +23,12 @@ double reach_of(const Frame& frame, NodeId node) {
 }  // namespace
 
 void draw_coming_crack(const Panel& panel) {
-  if (!panel.state.stop) return;
   const Frame& frame = panel.input.frame;
-  for (const ComingCrack& crack : panel.state.stop->cracks) {
-    if (crack.node != panel.state.selection.node) continue;
-    const HalfSpaceRegion plane{frame.nodes.positions[crack.node], crack.normal};
-    const double size = 2 * reach_of(frame, crack.node);
-    draw_world_lines(panel, ImGui::GetWindowDrawList(), region_lines(plane, size), Pose{}, palette::kError);
-  }
+  const std::optional<ComingCrack> crack = coming_crack(panel.state.stop, panel.state.selection.node, frame);
+  if (!crack) return;
+  const HalfSpaceRegion plane{frame.nodes.positions[crack->node], crack->normal};
+  const double size = 2 * reach_of(frame, crack->node);
+  draw_world_lines(panel, ImGui::GetWindowDrawList(), region_lines(plane, size), Pose{}, palette::kError);
 }
 
 }  // namespace griffith::ui

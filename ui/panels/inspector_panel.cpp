@@ -30,11 +30,7 @@ std::string triple(const Vec3& values, const char* unit) {
 void verdict_line(const Panel& panel, const Verdict& verdict) {
   constexpr std::array kColors = {palette::kGood,   palette::kWarning, palette::kError,
                                   palette::kAccent, palette::kTextDim, palette::kWarning};
-  ImGui::PushTextWrapPos(0);
-  ImGui::PushStyleColor(ImGuiCol_Text, kColors[static_cast<std::size_t>(verdict.kind)]);
-  ImGui::TextUnformatted(verdict.text.c_str());
-  ImGui::PopStyleColor();
-  ImGui::PopTextWrapPos();
+  wrapped_text(verdict.text, kColors[static_cast<std::size_t>(verdict.kind)]);
   tag_last_item(panel.tags, "inspector/verdict", verdict.text);
 }
 
@@ -74,7 +70,7 @@ void load_rows(const Panel& panel, const NodeReport& report, const Material& mat
 
 /// Shows load, resistance, tensor and plane of the crack of the next step.
 void coming_crack_rows(Panel& panel, const ComingCrack& coming, const Material& material) {
-  hint(panel, "When it cracks, in the next step:");
+  hint(panel, "When it cracks:");
   draw_utilization_bar(panel, coming.utilization());
   const std::string_view unit = fracture_law(material).unit;
   value_row(panel, "Load at the crack", format_quantity(coming.load, unit), palette::kText);
@@ -83,7 +79,7 @@ void coming_crack_rows(Panel& panel, const ComingCrack& coming, const Material& 
   value_row(panel, "Crack plane normal", direction_text(coming.normal), palette::kText);
   value_row(panel, "Eigenvalues then", triple(coming.eigenvalues, "N"), palette::kText);
   tooltip("Eigenvalues of the separation tensor under which the crack opens, largest first.");
-  hint(panel, "Now, before that step:");
+  hint(panel, "Now, before that:");
 }
 
 /// Draws one ranked element; a click selects it.
