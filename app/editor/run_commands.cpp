@@ -82,7 +82,8 @@ void apply_found(Editor& e, void (*apply)(ui::EditHistory&, const HoldingFound&)
   e.state().report.reset();
   apply(e.document().history(), *e.analysis().found());
   e.builder().follow_edits();
-  log_message(e.state(), ui::LogLevel::info, std::string("Applied ") + effect + " Press Space to run it.");
+  log_message(e.state(), ui::LogLevel::info, std::string("Applied ") + effect + " Press Space to run it.",
+              ui::LogSpan::advice);
 }
 
 /// Goes to a moment of the shown microsteps. False if none are shown.

@@ -52,7 +52,8 @@ void begin_scene(ui::EditorState& state, const Scene& scene) {
 }
 
 void log_opened(ui::EditorState& state, const Scene& scene) {
-  log_message(state, ui::LogLevel::info, "Opened \"" + scene.name + "\". Press Space to run, right-click to fire.");
+  log_message(state, ui::LogLevel::info, "Opened \"" + scene.name + "\". Press Space to run, right-click to fire.",
+              ui::LogSpan::advice);
 }
 
 void WorldBuilder::open(const fs::path& path) {

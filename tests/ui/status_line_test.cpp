@@ -25,6 +25,11 @@ TEST(StatusLine, IsTheNewestThatIsStillTrue) {
   EXPECT_EQ(shown(state), "fired");
   state.log_passed = 4;
   EXPECT_EQ(shown(state), "saved");
+  state.log.push_back({LogLevel::info, "press Space", LogSpan::advice});
+  state.log_passed = 5;
+  EXPECT_EQ(shown(state), "press Space");
+  state.log_seen = 5;
+  EXPECT_EQ(shown(state), "saved");
   state.log.erase(state.log.begin());
   EXPECT_EQ(shown(state), "nothing");
 }

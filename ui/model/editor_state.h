@@ -118,6 +118,7 @@ enum class LogSpan {
   lasting,  ///< permanent: reports something that was done
   state,    ///< as long as the simulation stays in the shown state
   action,   ///< until the state changes or the user does something else
+  advice,   ///< until the user does something, in whatever state: says what to do next
 };
 
 struct LogLine {

@@ -14,6 +14,8 @@ std::size_t first_valid(const EditorState& state, LogSpan span) {
       return state.log_passed;
     case LogSpan::action:
       return std::max(state.log_passed, state.log_seen);
+    case LogSpan::advice:
+      return state.log_seen;
   }
   return 0;
 }
