@@ -113,9 +113,11 @@ class WindowInput {
     });
     glfwSetCharCallback(handle, [](GLFWwindow* from, unsigned int character) { of(from).queue_.text(character); });
     glfwSetMouseButtonCallback(handle, [](GLFWwindow* from, int button, int action, int) {
+      of(from).expect_cursor();
       of(from).queue_.button(button, action == GLFW_PRESS);
     });
     glfwSetScrollCallback(handle, [](GLFWwindow* from, double right, double up) {
+      of(from).expect_cursor();
       of(from).queue_.scroll(static_cast<float>(right), static_cast<float>(up));
     });
     glfwSetCursorPosCallback(handle, [](GLFWwindow* from, double x, double y) { of(from).move(x, y); });
@@ -145,10 +147,17 @@ class WindowInput {
  private:
   static WindowInput& of(GLFWwindow* handle) { return *static_cast<WindowInput*>(glfwGetWindowUserPointer(handle)); }
 
-  void move(double x, double y) { queue_.move({static_cast<float>(x), static_cast<float>(y)}); }
+  void move(double x, double y) {
+    cursor_ = {static_cast<float>(x), static_cast<float>(y)};
+    queue_.move(cursor_);
+  }
+
+  /// Returns ImGui's mouse to the cursor, from which a script may have moved it.
+  void expect_cursor() { queue_.expect_at(cursor_); }
 
   Editor& editor_;
   ui::InputQueue queue_;
+  ImVec2 cursor_ = {-FLT_MAX, -FLT_MAX};                   ///< where the last event has put the cursor
   std::array<bool, ImGuiMouseButton_COUNT> buttons_ = {};  ///< as of the last frame
 };
 

@@ -61,6 +61,24 @@ struct SlowWindow {
 
 constexpr int kEnter = 257;
 
+TEST(InputQueue, AClickHitsWhatIsUnderTheCursorAfterAScriptHasMovedTheMouse) {
+  SlowWindow window;
+  const ImVec2 cursor = window.ui.find("command/simulation.step");
+  window.queue.move(cursor);
+  window.queue.move(window.ui.find("material/density"));  // as a script does
+  window.draw_all();
+  for (int i = 0; i < 2; ++i) {
+    window.queue.expect_at(cursor);
+    window.queue.button(0, true);
+    window.queue.button(0, false);
+    window.draw_all();
+  }
+  EXPECT_THAT(window.ids(), ::testing::ElementsAre("simulation.step", "simulation.step"));
+  EXPECT_EQ(ImGui::GetIO().MousePos.x, cursor.x);
+  window.queue.expect_at(cursor);
+  EXPECT_TRUE(window.queue.empty()) << "it is there";
+}
+
 TEST(InputQueue, ATapOfAShortcutWithinAFrameIssuesItsCommandOnce) {
   SlowWindow window;
   window.tap_with(key::kLeftControl, 'O');

@@ -28,7 +28,14 @@ void InputQueue::button(int button, bool down) {
   if (button >= 0 && button < ImGuiMouseButton_COUNT) events_.push_back({Kind::button, button, down});
 }
 
-void InputQueue::move(ImVec2 place) { events_.push_back({.kind = Kind::move, .place = place}); }
+void InputQueue::move(ImVec2 place) {
+  events_.push_back({.kind = Kind::move, .place = place});
+  last_place_ = place;
+}
+
+void InputQueue::expect_at(ImVec2 place) {
+  if (place.x != last_place_.x || place.y != last_place_.y) move(place);
+}
 
 void InputQueue::scroll(float right, float up) { events_.push_back({.kind = Kind::scroll, .place = {right, up}}); }
 

@@ -18,6 +18,8 @@ class InputQueue {
   /// Records that a mouse button, 0..4, went down or up.
   void button(int button, bool down);
   void move(ImVec2 place);
+  /// Records where the mouse is, if its last recorded move led elsewhere, as that of a script does.
+  void expect_at(ImVec2 place);
   void scroll(float right, float up);
   void text(unsigned int character);
 
@@ -50,6 +52,7 @@ class InputQueue {
 
   std::deque<Event> events_;
   ImVec2 place_ = {-FLT_MAX, -FLT_MAX};
+  ImVec2 last_place_ = place_;  ///< of the newest move, passed or not
   int frames_to_focus_ = 0;  ///< frames until the item opened by a click takes keys
 };
 
