@@ -1,8 +1,6 @@
 #include "app/picture/draw_scene_from_frame.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "app/picture/carried_points.h"
 #include "app/picture/crack_dust.h"
@@ -12,6 +10,7 @@
 #include "app/picture/layer_picture.h"
 #include "app/picture/natural_materials.h"
 #include "app/picture/picture_options.h"
+#include "app/picture/projectile_picture.h"
 #include "app/picture/quantities.h"
 #include "sim/mesh/tet_mesh.h"
 #include "sim/scene/quantities.h"
@@ -20,8 +19,6 @@
 
 namespace griffith::app {
 namespace {
-
-constexpr render::Rgb kProjectileColor = {0.24f, 0.27f, 0.31f};
 
 /// True if embedded surfaces can replace the tets.
 bool shows_whole_bodies(const ViewSettings& view) {
@@ -201,61 +198,7 @@ void add_deformation_labels(const ShownMesh& shown, render::DrawScene& picture) 
   picture.labels.push_back({top.cast<float>(), "deformation × " + ui::format_quantity(scale, "-"), 1.4f});
 }
 
-/// Appends space for a triangle that belongs to no body.
-void add_plain_triangle(render::Surface& surface) {
-  const std::size_t triangles = surface.positions.size() / 3;
-  const std::size_t scalars = triangles > 0 ? surface.scalars.size() / triangles : 0;
-  surface.colors.resize(triangles, surface.color);
-  surface.ids.resize(triangles, render::kNoId);
-  surface.flags.resize(triangles, 0);
-  surface.scalars.resize(surface.scalars.size() + scalars, 0);
-  if (!surface.matters.empty()) {
-    surface.matters.push_back(-1);
-    surface.rests.resize(surface.rests.size() + 3, Eigen::Vector3f::Zero());
-  }
-  surface.colors.push_back(kProjectileColor);
-  surface.ids.push_back(render::kNoId);
-  surface.flags.push_back(render::kPlain);
-}
-
-void add_hull(const ProjectileView& projectile, render::Surface& surface) {
-  const auto corner = [&](int index) {
-    const Vec3 place = projectile.position + projectile.rotation * projectile.corners[static_cast<std::size_t>(index)];
-    return Eigen::Vector3f(place.cast<float>());
-  };
-  for (const std::vector<int>& face : projectile.faces)
-    for (std::size_t i = 2; i < face.size(); ++i) {
-      add_plain_triangle(surface);
-      for (const int index : {face[0], face[i - 1], face[i]}) surface.positions.push_back(corner(index));
-    }
-}
-
-/// Returns a ball that looks like a material of its density.
-render::Sphere ball_of(const ProjectileView& projectile) {
-  constexpr double kLead = 9500, kSteel = 6000, kStone = 1800;  // least densities [kg/m³]
-  const double density = projectile.mass / (4.0 / 3 * std::numbers::pi * std::pow(projectile.radius, 3));
-  const Quat& turn = projectile.rotation;
-  render::Sphere ball{projectile.position.cast<float>(), static_cast<float>(projectile.radius), kProjectileColor,
-                      render::kNoId};
-  ball.rotation = Eigen::Vector4d(turn.x(), turn.y(), turn.z(), turn.w()).cast<float>();
-  if (density > kLead) {
-    ball.color = {0.42f, 0.43f, 0.47f}, ball.metal = 0.9f, ball.roughness = 0.55f;
-  } else if (density > kSteel) {
-    ball.color = {0.72f, 0.73f, 0.74f}, ball.metal = 1, ball.roughness = 0.12f;
-  } else if (density > kStone) {
-    ball.color = {0.50f, 0.48f, 0.45f}, ball.roughness = 0.8f, ball.mottle = 1;
-  }
-  return ball;
-}
-
-void add_surroundings(const Frame& frame, const Scene& scene, render::DrawScene& picture) {
-  for (const ProjectileView& projectile : frame.projectiles) {
-    if (!projectile.corners.empty()) {
-      add_hull(projectile, picture.surface);
-      continue;
-    }
-    picture.spheres.push_back(ball_of(projectile));
-  }
+void add_ground(const Scene& scene, render::DrawScene& picture) {
   if (!scene.ground) return;
   render::Ground ground;
   ground.height = static_cast<float>(scene.ground->height);
@@ -337,7 +280,8 @@ render::DrawScene drawn(const Frame& frame, const EmbeddedPieces& pieces, std::s
   add_layers(shown, result);
   if (selection.valid() && !shown.is_hidden(shown.body_of(selection.node))) mark_node(shown, selection.node, result);
   add_deformation_labels(shown, result);
-  add_surroundings(frame, scene, result);
+  add_projectiles(frame, shows_materials(view), result);
+  add_ground(scene, result);
   if (shows_dust(view)) add_dust(frame, scene, hidden, result);
   return result;
 }
