@@ -176,6 +176,12 @@ void polish(render::EmbeddedMaterial& material, const Finish& finish, Look look)
   material.metal = finish.metal;
 }
 
+/// Returns the factor on the roughness of a look: panes are nearly flat, so that edges of lamps in them are even.
+float smoothing(const NaturalLook& natural, Look look) {
+  if (look != Look::outside) return 1;
+  return natural.clear_depth > 0 ? 0.02f : 0.25f;
+}
+
 render::EmbeddedMaterial material_of(const BodyDescription& body, const NaturalLook& natural, Look look) {
   constexpr float kBrickLength = 0.25f;  // with a joint [m]
   render::EmbeddedMaterial material;
@@ -186,7 +192,7 @@ render::EmbeddedMaterial material_of(const BodyDescription& body, const NaturalL
   material.dressed = look == Look::outside && material.grain != none;
   material.grain_size = material.grain == bricks ? kBrickLength : natural.grain_size;
   material.mottle = natural.mottle;
-  material.roughness = look == Look::outside ? natural.roughness / 4 : natural.roughness;
+  material.roughness = natural.roughness * smoothing(natural, look);
   material.fiber = fiber_of(body);
   polish(material, natural.finish, look);
   if (body.splinters) fit_to_splinters(material, *body.splinters);

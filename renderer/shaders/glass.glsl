@@ -17,10 +17,11 @@ uniform sampler2D opaque_distance;
 // point in the part of the pixel covered by the face.
 void emit_glass(vec3 color, float clear_depth, vec3 covered, vec3 position, vec3 normal, bool rough) {
   const float kTouching = 5e-3;  // in distances from the eye: far above the rounding of depths
+  float touching = kTouching * length(eye.xyz - position) + 2.0 * fwidth(length(eye.xyz - position));
   vec3 ray = -towards_eye(position);
   float away = length(eye.xyz - covered);
   float beyond = max(texelFetch(opaque_distance, ivec2(gl_FragCoord.xy), 0).r - away, 0.0);
-  float visible_here = gl_FrontFacing ? float(beyond > 0.0) : smoothstep(0.0, kTouching * away, beyond);
+  float visible_here = gl_FrontFacing ? float(beyond > 0.0) : smoothstep(0.0, touching, beyond);
   vec3 absorption = -log(max(linear_from_srgb(color), 1e-3)) / clear_depth;
   float share = mirrored_share(vec3(kDielectric), normal, ray, 0.0).x;
   vec3 direction = reflect(ray, normal), mirrored = environment(direction, 0.0) + lamp_light(direction, 0.0);

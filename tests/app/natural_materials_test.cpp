@@ -40,6 +40,17 @@ TEST(NaturalMaterials, WithoutAWordDensityReportsItHoweverSoftTheMaterialIs) {
   }
 }
 
+TEST(NaturalMaterials, PanesAreFlatOutsideSoThatTheyMirrorLampsWithEvenEdges) {
+  for (const char* key : {"soda_lime_glass", "acrylic", "ice"}) {
+    Scene scene;
+    scene.bodies.resize(1);
+    scene.bodies[0].material = find_material_preset(key).value();
+    const auto looks = natural_materials(scene);
+    EXPECT_LT(looks[look_index(0, Look::outside)].roughness, 0.01) << key;
+    EXPECT_GT(looks[look_index(0, Look::inside)].roughness, 0.05) << key;
+  }
+}
+
 TEST(NaturalMaterials, GlazeLiesOnTheOutsideAlone) {
   Scene scene;
   scene.bodies.resize(1);

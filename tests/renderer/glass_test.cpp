@@ -165,6 +165,36 @@ TEST_F(GlassTest, HasNoHolesOnTheGround) {
   }
 }
 
+/// Adds a box of gray matter, or a clear one.
+void add_box(Surface& surface, const Vector3f& low, const Vector3f& high, std::uint8_t flag) {
+  const auto corner = [&](int i) {
+    return Vector3f(i & 1 ? high.x() : low.x(), i & 2 ? high.y() : low.y(), i & 4 ? high.z() : low.z());
+  };
+  for (const auto& face :
+       {std::array{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}})
+    for (const int i : {0, 1, 2, 0, 2, 3}) surface.positions.push_back(corner(face[static_cast<std::size_t>(i)]));
+  surface.flags.insert(surface.flags.end(), 12, flag);
+  surface.colors.insert(surface.colors.end(), 12, flag ? Rgb{0.62f, 0.81f, 0.82f} : Rgb{0.6f, 0.6f, 0.6f});
+}
+
+/// A sheet on a block at a grazing angle, at which the distance varies much within a pixel: its lower face, which would
+/// mirror the inside of the sheet elsewhere, does so in no pixel there.
+TEST_F(GlassTest, TouchesWithoutSpecks) {
+  for (const float rise : {0.1f, 0.15f}) {
+    for (const float gap : {1e-5f, 0.0f, -1e-5f}) {
+      DrawScene scene;
+      scene.surface.clear_depth = 0.06f;
+      add_box(scene.surface, {-0.5f, -0.5f, -0.5f}, {0.5f, 0, 0.5f}, 0);
+      add_box(scene.surface, {-1, gap, -1}, {1, gap + 0.008f, 1}, kClear);
+      renderer_->render(scene, {{0.3f, rise, 2.4f}, {0, 0, 0}, 40}, without_shadows(clear_options(4)));
+      const Image image = renderer_->image();
+      for (int y = kHeight / 2 - 1; y <= kHeight / 2 + 1; ++y)
+        for (int x = kWidth / 2 - 35; x < kWidth / 2 + 35; ++x)
+          ASSERT_NEAR(image.pixel(x, y)[0], image.pixel(x + 1, y)[0], 10) << rise << " m, " << gap << " m";
+    }
+  }
+}
+
 /// The slab's faces are turned against the line of sight, so that it bends the look at what is behind.
 TEST_F(GlassTest, WhatStandsBeforeItIsSeenOnce) {
   DrawScene scene;
