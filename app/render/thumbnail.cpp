@@ -1,5 +1,7 @@
 #include "app/render/thumbnail.h"
 
+#include <algorithm>
+
 #include "app/render/painter.h"
 
 namespace griffith::app {
@@ -25,6 +27,12 @@ void step_until_visible(Painter& painter, Analysis analysis) {
   }
 }
 
+/// Returns the camera of the scene's page in the gallery; empty, for the first camera, if it has none.
+std::string telling_camera(const Scene& scene) {
+  constexpr char kGallery[] = "gallery";
+  return std::ranges::find(scene.cameras, kGallery, &Camera::name) != scene.cameras.end() ? kGallery : "";
+}
+
 }  // namespace
 
 render::Image thumbnail(const Scene& scene, const std::filesystem::path& file) {
@@ -33,9 +41,10 @@ render::Image thumbnail(const Scene& scene, const std::filesystem::path& file) {
   job.width = kThumbnailWidth;
   job.height = kThumbnailHeight;
   job.legend = false;
+  job.cameras = {telling_camera(scene)};
   const std::unique_ptr<Painter> painter = make_plain_painter(job, as_seen(scene));
   step_until_visible(*painter, scene.analysis);
-  return painter->paint("", "", 0).image;
+  return painter->paint(job.cameras[0], "", 0).image;
 }
 
 }  // namespace griffith::app
