@@ -1,6 +1,7 @@
 #include "app/editor/editor.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "app/editor/editor_commands.h"
@@ -127,6 +128,8 @@ void Editor::execute(const ui::Command& command) {
     scripting_.add(command);
   } catch (const InputError& error) {
     show_error(state_, error);
+  } catch (const std::filesystem::filesystem_error& error) {  // such as a working folder that was removed
+    show_error(state_, {error.path1().string(), error.code().message(), "choose another folder, by its whole path"});
   }
 }
 

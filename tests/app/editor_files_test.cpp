@@ -63,6 +63,18 @@ TEST_F(EditorFiles, ASceneWithoutAFileAsksWhereItIsToBeSaved) {
   EXPECT_EQ(ui::shown_dialog(editor_.state()), ui::Dialog::none);
 }
 
+TEST_F(EditorFiles, CommandsInAFolderThatWasRemovedReportIt) {
+  const fs::path before = fs::current_path(), gone = test_folder() / "gone";
+  fs::create_directories(gone);
+  fs::current_path(gone);
+  fs::remove(gone);
+  editor_.execute({.name = "file.save", .path = "any.json"});
+  fs::current_path(before);
+  ASSERT_TRUE(editor_.state().error);
+  EXPECT_EQ(editor_.state().error->where, "any.json");
+  draw(2);
+}
+
 TEST_F(EditorFiles, ValuesFromTheCommandLineAreEditsThatAreNotSaved) {
   const Scene saved = small_wall();
   Scene changed = saved;
