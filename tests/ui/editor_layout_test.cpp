@@ -309,6 +309,27 @@ TEST(EditorLayout, LinesEndAtSpacesAndNumbersStayWhole) {
   ImGui::EndFrame();
 }
 
+TEST(EditorLayout, TheReasonOfAStopLeavesTheLegendFree) {
+  UiDriver ui(two_walls());
+  ImGui::GetIO().DisplaySize = {1280, 720};
+  const std::vector<std::uint8_t> colors(4 * 256, 255);
+  ui.input.views[0].legend.emplace();
+  ui.input.views[0].legend->title = "von Mises stress";
+  ui.input.views[0].legend->colors = colors;
+  ui.state.stop = Stop{"Node 12 cracks in the next step, at 161 % of its resistance.", NodeId(0), {}};
+  for (int i = 0; i < 4; ++i) ui.frame();
+  const ScreenArea picture{
+      ui.state.viewport_minimum,
+      {ui.state.viewport_minimum.x + ui.state.viewport_size.x, ui.state.viewport_minimum.y + ui.state.viewport_size.y}};
+  ASSERT_TRUE(legend_fits(picture, 1));
+  const ScreenArea legend =
+      legend_card(*ui.input.views[0].legend, LegendCorner::upper_right, ui.input.fonts, picture, 1);
+  const WidgetTag* reason = find_tag(ui.tags, "time/stopped");
+  ASSERT_TRUE(reason);
+  EXPECT_LE(reason->maximum.x, legend.minimum.x);
+  EXPECT_GE(reason->minimum.x, picture.minimum.x);
+}
+
 TEST(EditorLayout, SceneWithoutBodiesIsShownToo) {
   UiDriver ui({});
   ui.frame();

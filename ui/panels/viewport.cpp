@@ -116,6 +116,15 @@ void draw_pause_mark(const Panel& panel, ImVec2 corner) {
   list->AddText({low.x + 34 * scale, (low.y + high.y - ImGui::GetFontSize()) / 2}, palette::kText, "Paused");
 }
 
+/// Returns the left end of the legend in the upper right corner, or the right end of the picture without one.
+float end_of_free_top(const Panel& panel, ImVec2 corner, ImVec2 end) {
+  const std::optional<Legend>& legend = panel.input.views.front().legend;
+  const float scale = ui_scale(panel);
+  if (!legend || legend->corner != LegendCorner::upper_right || panel.state.four_views.count() > 1) return end.x;
+  if (!legend_fits({corner, end}, scale)) return end.x;
+  return legend_card(*legend, legend->corner, panel.input.fonts, {corner, end}, scale).minimum.x;
+}
+
 /// Shows the reason why the simulation stopped by itself, with the search for the value that would have held.
 void draw_stop_card(Panel& panel, ImVec2 corner, ImVec2 end) {
   if (!panel.state.stop || panel.state.stop->begun) return;
@@ -124,7 +133,8 @@ void draw_stop_card(Panel& panel, ImVec2 corner, ImVec2 end) {
   const float scale = ui_scale(panel), margin = 14 * scale, padding = 12 * scale;
   const float width = std::max(ImGui::CalcTextSize(reason.c_str()).x + 2 * padding, 230 * scale);
   const float height = (can_explain ? ImGui::GetFrameHeight() + 8 * scale : 0) + ImGui::GetFontSize() + padding;
-  const ImVec2 low = {std::max(corner.x, (corner.x + end.x - width) / 2), corner.y + margin};  // between other cards
+  const float most = end_of_free_top(panel, corner, end) - width - margin / 2;  // between other cards
+  const ImVec2 low = {std::max(corner.x, std::min((corner.x + end.x - width) / 2, most)), corner.y + margin};
   draw_card(ImGui::GetWindowDrawList(), low, {low.x + width, low.y + height}, scale);
   ImGui::SetCursorScreenPos({low.x + padding, low.y + padding / 2});
   ImGui::TextColored(as_vec4(palette::kWarning), "%s", reason.c_str());
