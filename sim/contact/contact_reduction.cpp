@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace griffith {
 namespace {
@@ -14,29 +15,45 @@ int best_of(const std::vector<int>& group, Value value) {
   return *std::max_element(group.begin(), group.end(), [&](int a, int b) { return value(a) < value(b); });
 }
 
-/// True if a contact is deeper than all of others by more than a small share of the distances between them, and than
-/// is allowed [m].
-bool is_deeper(std::span<const Contact> contacts, int contact, const std::vector<int>& others, double allowed) {
-  constexpr double kMargin = 1e-3;
-  return std::ranges::all_of(others, [&](int i) {
-    const double apart = (contacts[i].position - contacts[contact].position).norm();
-    return contacts[contact].distance < std::min(contacts[i].distance, -allowed) - kMargin * apart;
-  });
-}
-
-/// Returns the deepest contact, without which a rounded side would sink in between the others, and the outermost along
-/// two axes of the contact plane. The choice changes little from step to step, so that the last impulses stay a good
-/// guess.
-std::vector<int> spanning_contacts(std::span<const Contact> contacts, const std::vector<int>& group, double allowed) {
+/// Returns the outermost contacts along two axes of the contact plane. The choice changes little from step to step, so
+/// that the last impulses stay a good guess.
+std::vector<int> outermost_four(std::span<const Contact> contacts, const std::vector<int>& group) {
   const Vec3 normal = contacts[group.front()].normal, first = normal.unitOrthogonal(), second = normal.cross(first);
-  const int deepest = best_of(group, [&](int i) { return -contacts[i].distance; });
   std::vector<int> kept;
   for (const Vec3& direction :
        {Vec3(first + second), Vec3(first - second), Vec3(-first - second), Vec3(second - first)})
     kept.push_back(best_of(group, [&](int i) { return direction.dot(contacts[i].position); }));
-  if (is_deeper(contacts, deepest, kept, allowed)) kept.push_back(deepest);
   std::sort(kept.begin(), kept.end());
   kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
+  return kept;
+}
+
+/// Returns the contacts of a group that are deeper than all of `others` by more than a small share of the distances
+/// from these, and than is allowed [m].
+std::vector<int> deeper_than(std::span<const Contact> contacts, const std::vector<int>& group,
+                             const std::vector<int>& others, double allowed) {
+  constexpr double kMargin = 1e-3;
+  std::vector<int> deeper;
+  std::ranges::copy_if(group, std::back_inserter(deeper), [&](int contact) {
+    const double distance = contacts[contact].distance;
+    if (allowed > 0 && distance >= -allowed) return false;
+    return std::ranges::all_of(others, [&](int i) {
+      const double apart = (contacts[i].position - contacts[contact].position).norm();
+      return distance < contacts[i].distance - kMargin * apart;
+    });
+  });
+  return deeper;
+}
+
+/// Returns the outermost contacts, those of the deeper ones likewise, and so on: a rounded side would sink in between
+/// the outermost alone.
+std::vector<int> spanning_contacts(std::span<const Contact> contacts, std::vector<int> group, double allowed) {
+  std::vector<int> kept;
+  while (!group.empty()) {
+    const std::vector<int> outermost = outermost_four(contacts, group);
+    kept.insert(kept.end(), outermost.begin(), outermost.end());
+    group = deeper_than(contacts, group, outermost, allowed);
+  }
   return kept;
 }
 

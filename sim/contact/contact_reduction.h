@@ -8,7 +8,8 @@
 namespace griffith {
 
 /// Returns the contacts that suffice to hold a pair of objects apart: of those with similar normals (within 18°), the
-/// four outermost, and the deepest if it is deeper than these and than `allowed_overlap` [m]. Ascending indices.
+/// four outermost, of those that are deeper than these and than `allowed_overlap` [m] again the four outermost, and so
+/// on. Ascending indices.
 std::vector<int> representative_contacts(std::span<const Contact> contacts, double allowed_overlap);
 
 }  // namespace griffith

@@ -49,7 +49,7 @@ TEST(ProxyContact, ARoundedSideOfManyPartsRestsOnItsLowest) {
     substep(world, {arch}, kHalfDt, kGravity);
     lowest = std::min(lowest, world.state(arch).pose.translation.y());
   }
-  EXPECT_GT(lowest, 0.0985);
+  EXPECT_GT(lowest, 0.0995);
 }
 
 TEST(ProxyContact, ABarThatTurnsIsSeenToStrikeWhereverItsCenterGoes) {
