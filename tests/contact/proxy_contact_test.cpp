@@ -34,7 +34,7 @@ TEST(ProxyContact, ABoxSlidesWhenTheSlopeExceedsItsFriction) {
     }
 }
 
-/// Of many contacts with a plane some represent all: outer parts that hang in the air must not replace the inner one.
+/// Some contacts with a plane represent all of many: outer parts that hang in the air must not replace the inner one.
 TEST(ProxyContact, ARoundedSideOfManyPartsRestsOnItsLowest) {
   ContactWorld world(kGravity);
   world.add_ground(0, {});
