@@ -179,7 +179,7 @@ TEST_F(ScriptPlayerTest, TheTourGoesOnByNextAndEndsBySkip) {
 TEST_F(ScriptPlayerTest, TheWholeTourPlaysAndAllThatItPointsAtIsThere) {
   ScriptPlayer player(tour(), true);
   int said = 0;
-  for (int i = 0; i < 20000 && !player.done(); ++i) {
+  while (!player.done()) {
     player.advance(editor_, queue_);
     draw();
     std::optional<ui::Caption>& caption = editor_.state().caption;
@@ -188,7 +188,6 @@ TEST_F(ScriptPlayerTest, TheWholeTourPlaysAndAllThatItPointsAtIsThere) {
     caption->answer = ui::Caption::Answer::next;
     ++said;
   }
-  EXPECT_TRUE(player.done());
   EXPECT_GE(said, 7) << "five steps between a beginning and an end";
   EXPECT_FALSE(editor_.state().error);
 }
