@@ -15,9 +15,7 @@ constexpr double kStillFraction = 0.01;
 constexpr double kQuietFraction = 0.04;
 /// Returns the response of a rigid object's spin to torques [1/(kg·m²)]; zero if it does not rotate freely.
 Mat3 spin_mobility(const Object& object) {
-  if (!object.moves() || object.elastic) return Mat3::Zero();
-  const Mat3 rotation = object.state.pose.rotation.toRotationMatrix();
-  return rotation * object.inverse_inertia * rotation.transpose();
+  return object.moves() && !object.elastic ? inverse_world_inertia(object) : Mat3::Zero();
 }
 
 void set_asleep(Object& object, bool asleep) {

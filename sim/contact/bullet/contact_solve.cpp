@@ -26,11 +26,6 @@ Mat3 contact_axes(const Vec3& normal) {
   return axes;
 }
 
-/// Returns the inverse inertia of a rigid object in the world frame [1/(kg·m²)].
-Mat3 inverse_inertia_in_world(const Object& object) {
-  return object.place.rotation * object.inverse_inertia * object.place.rotation.transpose();
-}
-
 }  // namespace
 
 double contact::kinetic_energy(const Object& object, const Vec3& velocity, const Vec3& spin) {
@@ -247,7 +242,7 @@ void ContactWorld::Impl::read_back_impulses(double dt) {
     if (object.kind == Kind::projectile) object.state.velocity += dt * gravity;
     if (sums[i].linear.isZero(0)) continue;
     object.state.velocity += object.inverse_mass * sums[i].linear;
-    object.state.angular_velocity += inverse_inertia_in_world(object) * sums[i].angular;
+    object.state.angular_velocity += inverse_world_inertia(object) * sums[i].angular;
   }
 }
 
@@ -261,7 +256,7 @@ void ContactWorld::Impl::push_elastic_groups_apart(double dt) {
     bodies[i].moves = objects[i].moves();
     if (!bodies[i].moves) continue;
     bodies[i].inverse_mass = objects[i].inverse_mass;
-    bodies[i].inverse_inertia = inverse_inertia_in_world(objects[i]);
+    bodies[i].inverse_inertia = inverse_world_inertia(objects[i]);
   }
   std::vector<RigidContact> rows;
   std::vector<RigidGroup> groups;

@@ -21,6 +21,8 @@ struct Object;
 double smaller_radius(const Object& a, const Object& b);
 /// Returns the inertia of a free object about its center of mass, in the world frame [kg·m²].
 Mat3 world_inertia(const Object& object);
+/// Returns its inverse [1/(kg·m²)].
+Mat3 inverse_world_inertia(const Object& object);
 /// Returns the kinetic energy of a free object for these velocities at its present orientation [J].
 double kinetic_energy(const Object& object, const Vec3& velocity, const Vec3& spin);
 /// Returns the distance without the allowed overlap; a gap stays a gap.

@@ -24,6 +24,10 @@ Mat3 contact::world_inertia(const Object& object) {
   return rotation * object.inverse_inertia.inverse() * rotation.transpose();
 }
 
+Mat3 contact::inverse_world_inertia(const Object& object) {
+  return object.place.rotation * object.inverse_inertia * object.place.rotation.transpose();
+}
+
 double contact::smaller_radius(const Object& a, const Object& b) {
   if (a.kind == Kind::ground) return b.shape.radius;
   return b.kind == Kind::ground ? a.shape.radius : std::min(a.shape.radius, b.shape.radius);
@@ -80,7 +84,7 @@ RigidBody ContactWorld::Impl::rigid_body(const Object& object, double dt) const 
   if (!object.moves()) return body;
   body.inverse_mass = object.inverse_mass;
   body.is_round = object.is_sphere();
-  body.inverse_inertia = object.place.rotation * object.inverse_inertia * object.place.rotation.transpose();
+  body.inverse_inertia = inverse_world_inertia(object);
   body.acceleration = (object.state.velocity - object.first_velocity) / dt;
   body.turning = (object.state.angular_velocity - object.first_spin) / dt;
   if (object.kind == Kind::projectile) body.acceleration += gravity;

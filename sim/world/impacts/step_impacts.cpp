@@ -57,6 +57,11 @@ bool StepImpacts::goes_alone(const WorldState& world, const Impact& impact) cons
   return is_short(world, impact);
 }
 
+/// True for an impact that is known to be safe, or left to the contacts of pieces that only cracks separated.
+bool StepImpacts::needs_no_trial(const WorldState& world, const Impact& impact) const {
+  return is_safe(impact) || (are_of_one_body(world, impact) && !goes_alone(world, impact));
+}
+
 Flights StepImpacts::flights_of(const Impact& impact) const {
   Flights flights;
   for (int i = 0; i < 2; ++i) {
@@ -91,9 +96,7 @@ std::vector<TrialOutcome> StepImpacts::try_all(const WorldState& world, const st
 
 std::vector<Impact> StepImpacts::find(const WorldState& world, double duration) {
   std::vector<Impact> impacts = harmful_impacts(world, duration), shared;
-  std::erase_if(impacts, [&](const Impact& impact) {
-    return is_safe(impact) || (are_of_one_body(world, impact) && !goes_alone(world, impact));
-  });
+  std::erase_if(impacts, [&](const Impact& impact) { return needs_no_trial(world, impact); });
   const std::vector<TrialOutcome> outcomes = try_all(
       world, impacts, [&](const Impact& impact) { return flown(world, impact, flights_of(impact)); }, 0);
   alone_.clear(), safe_bodies_.clear();
@@ -152,8 +155,7 @@ void StepImpacts::take_harmful(const WorldState& world, double duration, std::ve
   }
   std::vector<Impact> impacts = harmful_among(world, encounters);
   std::erase_if(impacts, [&](const Impact& impact) {
-    return is_safe(impact) || have_just_parted(world, impact.bodies[0], impact.bodies[1]) ||
-           (are_of_one_body(world, impact) && !goes_alone(world, impact));
+    return have_just_parted(world, impact.bodies[0], impact.bodies[1]) || needs_no_trial(world, impact);
   });
   const std::vector<TrialOutcome> outcomes = try_all(
       world, impacts,

@@ -47,6 +47,7 @@ class StepImpacts {
   void follow(WorldState& world, Alone alone);
   bool is_safe(const Impact& impact) const;
   bool goes_alone(const WorldState& world, const Impact& impact) const;
+  bool needs_no_trial(const WorldState& world, const Impact& impact) const;
   Flights flights_of(const Impact& impact) const;
   bool is_ahead(const Impact& impact) const;
   void turn_rigid(WorldState& world);
