@@ -17,7 +17,8 @@ uniform sampler2D opaque_distance;
 // point in the part of the pixel covered by the face.
 void emit_glass(vec3 color, float clear_depth, vec3 covered, vec3 position, vec3 normal, bool rough) {
   const float kTouching = 5e-3;  // in distances from the eye: far above the rounding of depths
-  float touching = kTouching * length(eye.xyz - position) + 2.0 * fwidth(length(eye.xyz - position));
+  float distance_here = length(eye.xyz - position);
+  float touching = kTouching * distance_here + 2.0 * fwidth(distance_here);  // it varies within a pixel
   vec3 ray = -towards_eye(position);
   float away = length(eye.xyz - covered);
   float beyond = max(texelFetch(opaque_distance, ivec2(gl_FragCoord.xy), 0).r - away, 0.0);
