@@ -46,7 +46,6 @@ void RunController::close_microsteps() {
 void RunController::follow_shown_world() {
   ++arrivals_;
   forget_contact();
-  if (state_.stop) state_.stop->begun = microsteps_.is_open();
   const Frame now = frame();
   select(state_, now, ui::follow(state_.selection, now));
 }

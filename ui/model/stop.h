@@ -24,7 +24,6 @@ struct Stop {
   std::string reason;               ///< "Node 12 cracks in the next step."
   NodeId node;                      ///< existing node that cracks; invalid: none
   std::vector<ComingCrack> cracks;  ///< first crack of each existing node that cracks in the next step
-  bool begun = false;               ///< that step has begun: one of its microsteps is shown
 };
 
 }  // namespace griffith::ui

@@ -189,7 +189,7 @@ Verdict::Kind kind_of(const NodeState& state) {
   return state.load == NodeState::Load::near ? Verdict::Kind::near : Verdict::Kind::holds;
 }
 
-/// Returns the verdict without the note on stand-in materials. `begun`: as in Stop.
+/// Returns the verdict without the note on stand-in materials. `begun`: the frame is within a step.
 Verdict bare_verdict(const NodeState& state, const NodeReport& report, const Frame& frame, bool fracture, bool begun) {
   const std::string_view unit = fracture_law(frame.materials[frame.bodies[report.body].scene_body]).unit;
   const bool rigid = state.piece != NodeState::Piece::elastic && state.piece != NodeState::Piece::asleep;
@@ -249,9 +249,10 @@ NodeState node_state(const NodeReport& report, const Frame& frame, const std::op
   return state;
 }
 
-Verdict verdict_on(const NodeReport& report, const Frame& frame, bool fracture, const std::optional<Stop>& stop) {
+Verdict verdict_on(const NodeReport& report, const Frame& frame, bool fracture, const std::optional<Stop>& stop,
+                   bool in_step) {
   const NodeState state = node_state(report, frame, stop);
-  Verdict verdict = bare_verdict(state, report, frame, fracture, stop && stop->begun);
+  Verdict verdict = bare_verdict(state, report, frame, fracture, in_step);
   verdict.text += scaling_note(report, frame);
   return verdict;
 }

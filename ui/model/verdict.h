@@ -43,9 +43,10 @@ struct Verdict {
   std::string text;
 };
 
-/// Returns the verdict on a node. `fracture`: the scene lets bodies break. `stop`: as for node_state().
+/// Returns the verdict on a node. `fracture`: the scene lets bodies break. `stop`: as for node_state(). `in_step`: the
+/// frame is a microstep of the step that the stop is about.
 Verdict verdict_on(const NodeReport& report, const Frame& frame, bool fracture,
-                   const std::optional<Stop>& stop = std::nullopt);
+                   const std::optional<Stop>& stop = std::nullopt, bool in_step = false);
 
 /// Describes the stand-in material of a scaled impact and its reason: "As a material of 273 MPa ...".
 std::string stand_in_text(const ScaledImpact& impact);

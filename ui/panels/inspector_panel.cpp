@@ -179,7 +179,8 @@ void draw_inspector_panel(Panel& panel) {
   }
   const NodeReport report = node_report(frame, selection.node);
   const BodyView& body = frame.bodies[report.body];
-  verdict_line(panel, verdict_on(report, frame, panel.history.scene().simulation.fracture, panel.state.stop));
+  const bool fracture = panel.history.scene().simulation.fracture, in_step = panel.state.microsteps.has_value();
+  verdict_line(panel, verdict_on(report, frame, fracture, panel.state.stop, in_step));
   const Material& material = frame.materials[body.scene_body];
   const std::optional<ComingCrack> coming = node_state(report, frame, panel.state.stop).coming;
   if (coming) coming_crack_rows(panel, *coming, material);

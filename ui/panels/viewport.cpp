@@ -127,7 +127,7 @@ float end_of_free_top(const Panel& panel, ImVec2 corner, ImVec2 end) {
 
 /// Shows the reason why the simulation stopped by itself, with the search for the value that would have held.
 void draw_stop_card(Panel& panel, ImVec2 corner, ImVec2 end) {
-  if (!panel.state.stop || panel.state.stop->begun) return;
+  if (!panel.state.stop || panel.state.microsteps) return;
   const std::string& reason = panel.state.stop->reason;
   const bool can_explain = panel.state.stop->node.valid();
   const float scale = ui_scale(panel), margin = 14 * scale, padding = 12 * scale;
