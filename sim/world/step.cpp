@@ -56,6 +56,7 @@ void fracture(WorldState& world, double substep) {
 /// substep are solved with the others where `leave` does not remove them.
 void move(WorldState& world, double dt, const MeetingFilter& leave = {}) {
   StepTimings& ms = world.report.milliseconds;
+  world.elements.own_states();
   update_supports(world, world.time, dt);
   timed(ms.contact, [&] { find_contacts(world, dt); });
   record_substep_start(world, world.scratch);
@@ -82,7 +83,6 @@ void show_substep(WorldState& world) {
   if (!world.watch || !world.watch->wants_next()) return;
   WorldState moment = world;
   moment.watch = nullptr;
-  world.elements.own_states();
   publish(moment);
   world.watch->take(world.watch->microsteps, std::move(moment));
 }
@@ -119,7 +119,6 @@ void step_implicitly(WorldState& world, double time_step) {
 /// Restores the state before some substep, of whose microsteps the observer forgets those after `microstep`.
 void restore(WorldState& world, const WorldState& before, std::int64_t microstep) {
   world = before;
-  world.elements.own_states();
   if (world.watch) world.watch->go_back(microstep);
 }
 
@@ -149,7 +148,6 @@ bool move_within_ceiling(WorldState& world, double substep, StepImpacts& impacts
     return move_along(world, substep, std::numeric_limits<double>::infinity(), impacts);
   const WorldState before = world;
   const std::int64_t microstep = observed_microsteps(world);
-  world.elements.own_states();
   if (move_along(world, substep, max_work, impacts)) return true;
   const double work = world.scratch.microstep_work, overhead = world.explicit_overhead;
   restore(world, before, microstep);
@@ -168,7 +166,6 @@ bool move_within_strains(WorldState& world, double substep, StrainLimit& limit, 
     return move_within_ceiling(world, substep, impacts);
   const WorldState before = world;
   const std::int64_t microstep = observed_microsteps(world);
-  world.elements.own_states();
   if (!move_within_ceiling(world, substep, impacts)) return false;
   const bool has_converged = world.report.unconverged_motions == before.report.unconverged_motions;
   if (has_converged && depth_of_soft_bodies(world) <= std::max(kDeep, depth_of_soft_bodies(before))) return true;
@@ -277,7 +274,6 @@ bool make_step(WorldState& world, const StepReport& last) {
   make_loaded_bodies_elastic(world, {world.time - time_step, world.time}, {world.time, world.time + time_step});
   make_first_struck_elastic(world, time_step);
   const bool is_static = world.model->scene.analysis == Analysis::static_, asleep = all_lie_asleep(world);
-  if (!asleep) world.elements.own_states();
   if (asleep || (is_static && stays_in_equilibrium(world, world.time, time_step))) {
     stand_still(world, last);
   } else {

@@ -154,6 +154,7 @@ void ExplicitRun::update_states_at_flagged() {
   }
   const auto body_of_tet = [&](TetId tet) { return world_.elements.bodies[tet]; };
   std::ranges::sort(stale_, {}, [&](TetId tet) { return std::pair(body_of_tet(tet), tet); });
+  world_.elements.own_states();
   std::vector<ElementState>& states = world_.elements.states.edit();
   parallel_for(static_cast<int>(stale_.size()), kGrain, [&](int begin, int end) {
     const std::span<const TetId> tets = std::span(stale_).subspan(begin, end - begin);

@@ -25,7 +25,6 @@ void ExplicitRun::show_moment() {
   MicrostepWatch& watch = *world_.watch;
   if (!watch.wants_next() || rebuild_) return;
   watch.take(watch.microsteps, moment());
-  world_.elements.own_states();
 }
 
 /// Returns the world as it would be if the run ended now, with all objects at the present time.
@@ -33,7 +32,6 @@ WorldState ExplicitRun::moment() const {
   WorldState moment = world_;
   moment.watch = nullptr;
   moment.time = time_;
-  moment.elements.own_states();
   carry_others(moment);
   for (explicit_dynamics::Obstacle obstacle : contacts_->obstacles()) {
     obstacle.move(0);
