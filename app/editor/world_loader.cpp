@@ -13,8 +13,9 @@ namespace griffith::app {
 
 namespace {
 
-BuiltWorld with_display(Scene scene, World world, std::filesystem::file_time_type started, const Monitor& monitor) {
-  EmbeddedDisplay display = embedded_display(world.frame(), scene, monitor);
+BuiltWorld with_display(Scene scene, World world, std::filesystem::file_time_type started, const Monitor& monitor,
+                        const KnownShards& known) {
+  EmbeddedDisplay display = embedded_display(world.frame(), scene, monitor, known);
   std::vector<InputError> warnings = scene_warnings(scene, world);
   return {std::move(scene), std::move(world), std::move(display), std::move(warnings), started};
 }
@@ -24,7 +25,7 @@ BuiltWorld with_display(Scene scene, World world, std::filesystem::file_time_typ
 BuiltWorld build_world(Scene scene, const std::filesystem::path& path) {
   const auto started = std::filesystem::file_time_type::clock::now();
   World world = make_world(scene, path);
-  return with_display(std::move(scene), std::move(world), started, {});
+  return with_display(std::move(scene), std::move(world), started, {}, {});
 }
 
 WorldLoader::Loaded WorldLoader::build(const Order& order, const std::shared_ptr<Shared>& shared) {
@@ -42,7 +43,7 @@ WorldLoader::Loaded WorldLoader::build(const Order& order, const std::shared_ptr
   Scene scene = order.make_scene(monitor);
   if (const double tets = expected_tets(scene, monitor); tets > order.max_tets) throw LargeMesh(tets);
   World world = make_world(scene, order.path, monitor);
-  return {with_display(std::move(scene), std::move(world), started, monitor), order.reason, order.path};
+  return {with_display(std::move(scene), std::move(world), started, monitor, order.known), order.reason, order.path};
 }
 
 void WorldLoader::start(LoadReason reason, Scene scene, std::filesystem::path path, double max_tets) {
@@ -52,7 +53,7 @@ void WorldLoader::start(LoadReason reason, Scene scene, std::filesystem::path pa
 
 void WorldLoader::start(LoadReason reason, MakeScene make_scene, std::filesystem::path path, double max_tets) {
   cancel();
-  order_ = {reason, std::move(make_scene), std::move(path), max_tets};
+  order_ = {reason, std::move(make_scene), std::move(path), max_tets, shards_};
   shared_ = std::make_shared<Shared>();
   shared_->stage = "Building bodies";
   result_ = std::async(std::launch::async, build, order_, shared_);
@@ -68,7 +69,9 @@ bool WorldLoader::wait(double seconds) const {
 
 std::optional<WorldLoader::Loaded> WorldLoader::take() {
   if (!wait(0)) return std::nullopt;
-  return std::exchange(result_, {}).get();
+  Loaded loaded = std::exchange(result_, {}).get();
+  shards_ = loaded.display.shards.bodies();
+  return loaded;
 }
 
 std::string WorldLoader::stage() const {

@@ -79,12 +79,14 @@ class WorldLoader {
     MakeScene make_scene;
     std::filesystem::path path;
     double max_tets = 0;
+    KnownShards known;  ///< shards of the last world, for bodies that stay as they are
   };
   static Loaded build(const Order& order, const std::shared_ptr<Shared>& shared);
 
   Order order_;
   std::shared_ptr<Shared> shared_;
   std::future<Loaded> result_;
+  KnownShards shards_;                          ///< shards of the last world
   std::vector<std::future<Loaded>> cancelled_;  ///< builds whose threads have not ended yet
 };
 

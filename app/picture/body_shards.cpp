@@ -2,7 +2,9 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/picture/fit_walls.h"
 #include "app/picture/natural_materials.h"
@@ -50,23 +52,53 @@ ShardPattern shard_pattern(const Frame& frame, int scene_body, const PrincipalBo
   return pattern;
 }
 
-/// Makes sectors and rings around the first crack, about as many as there are tets.
-CellPartition radial_cells(const TetMesh& mesh, const PrincipalBox& box, int scene_body,
-                           const std::optional<Vec3>& first_crack) {
-  const double size = 0.8 * std::sqrt(box.sizes[1] * box.sizes[2] / mesh.tet_count());
+/// Returns sectors and rings around the first crack, about as many as there are tets.
+RadialSplinters rings_around(const std::optional<Vec3>& first_crack, const TetSoup& soup, const PrincipalBox& box,
+                             int scene_body) {
   RadialSplinters rings;
   rings.center = first_crack.value_or(box.center);
   rings.axis = box.axes.col(0);
-  rings.first_ring = size / 2;
+  rings.first_ring = 0.4 * std::sqrt(box.sizes[1] * box.sizes[2] / static_cast<double>(soup.tets.size()));
   rings.growth = 1.4;
   rings.jitter = 0.8;
   rings.seed = scene_body + 1;
+  return rings;
+}
+
+ShardOrder shard_order(const Frame& frame, const Scene& scene, int scene_body, const TetSoup& soup,
+                       const std::optional<Vec3>& first_crack) {
+  const PrincipalBox box = principal_box(soup);
+  ShardOrder order{soup, shard_pattern(frame, scene_body, box), std::nullopt};
+  if (breaks_radially(frame.materials[scene_body], box))
+    order.pattern = rings_around(first_crack, soup, box, scene_body);
+  if (const BodyDescription& body = scene.bodies[scene_body]; shows_surface(body))
+    order.surface = placed_surface(scene, body);
+  return order;
+}
+
+CellPartition shard_cells(const TetMesh& mesh, const ShardOrder& order) {
+  if (!order.is_radial()) return make_shard_cells(mesh, std::get<ShardPattern>(order.pattern));
   Eigen::AlignedBox3d bounds;
   for (const Vec3& position : mesh.rest_positions) bounds.extend(position);
-  return make_radial_cells(rings, bounds, size);
+  const auto& rings = std::get<RadialSplinters>(order.pattern);
+  return make_radial_cells(rings, bounds, 2 * rings.first_ring);
+}
+
+BodyShards make_body_shards(ShardOrder order, const Monitor& monitor) {
+  const TetMesh mesh = build_mesh(order.soup);
+  BodyShards shards{std::move(order), {}, {}};
+  shards.cells = shard_cells(mesh, shards.order);
+  shards.set = make_splinters(mesh, shards.cells, monitor);
+  if (shards.order.surface) fit_walls(shards.set, shards.order.soup, *shards.order.surface);
+  return shards;
 }
 
 }  // namespace
+
+bool ShardOrder::operator==(const ShardOrder& other) const {
+  return pattern == other.pattern && soup.tets == other.soup.tets && soup.points == other.soup.points &&
+         surface == other.surface;
+}
 
 bool may_have_shards(const BodyDescription& body) { return !body.splinters && !body.remeshing; }
 
@@ -77,20 +109,13 @@ FirstCracks first_cracks(const Frame& frame, std::size_t scene_bodies) {
   return cracks;
 }
 
-BodyShards make_body_shards(const Frame& frame, const Scene& scene, int scene_body, PlacedTets placed,
-                            const std::optional<Vec3>& first_crack, const Monitor& monitor) {
-  BodyShards shards{scene_body, std::move(placed), {}, {}};
-  const TetMesh mesh = build_mesh(shards.placed.soup);
-  const PrincipalBox box = principal_box(shards.placed.soup);
-  shards.is_radial = breaks_radially(frame.materials[scene_body], box);
-  shards.cells = shards.is_radial ? radial_cells(mesh, box, scene_body, first_crack)
-                                  : make_shard_cells(mesh, shard_pattern(frame, scene_body, box));
-  shards.set = make_splinters(mesh, shards.cells, monitor);
-  if (const BodyDescription& body = scene.bodies[scene_body]; shows_surface(body)) {
-    shards.surface = placed_surface(scene, body);
-    fit_walls(shards.set, shards.placed, *shards.surface);
-  }
-  return shards;
+std::shared_ptr<const BodyShards> body_shards(const Frame& frame, const Scene& scene, int scene_body,
+                                              const TetSoup& soup, const std::optional<Vec3>& first_crack,
+                                              const KnownShards& known, const Monitor& monitor) {
+  ShardOrder order = shard_order(frame, scene, scene_body, soup, first_crack);
+  const auto same = std::ranges::find_if(known, [&](const auto& shards) { return shards->order == order; });
+  if (same != known.end()) return *same;
+  return std::make_shared<const BodyShards>(make_body_shards(std::move(order), monitor));
 }
 
 }  // namespace griffith::app

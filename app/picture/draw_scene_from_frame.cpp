@@ -296,12 +296,13 @@ render::DrawScene drawn(const Frame& frame, const EmbeddedDisplay& display, cons
 
 }  // namespace
 
-EmbeddedDisplay embedded_display(const Frame& frame, const Scene& scene, const Monitor& monitor) {
+EmbeddedDisplay embedded_display(const Frame& frame, const Scene& scene, const Monitor& monitor,
+                                 const KnownShards& known) {
   EmbeddedDisplay display;
   display.orders = summation_orders(frame);
   display.authored = embedded_pieces(frame, display.orders, scene.bodies.size(), make_skins(frame, scene));
   display.natural = display.authored;
-  display.shards = Shards(frame, scene, monitor);
+  display.shards = Shards(frame, scene, monitor, known);
   if (!display.shards.empty()) display.natural = natural_pieces(frame, display);
   return display;
 }

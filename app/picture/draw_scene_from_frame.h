@@ -35,8 +35,10 @@ struct EmbeddedDisplay {
   std::vector<std::array<int, 4>> orders;  ///< per tet: summation_orders() of the first frame
 };
 
-/// Makes them. Throws InputError if a surface cannot be read, Cancelled by the monitor.
-EmbeddedDisplay embedded_display(const Frame& frame, const Scene& scene, const Monitor& monitor = {});
+/// Makes them, except for shards of unchanged bodies in `known`. Throws InputError if a surface cannot be read,
+/// Cancelled by the monitor.
+EmbeddedDisplay embedded_display(const Frame& frame, const Scene& scene, const Monitor& monitor = {},
+                                 const KnownShards& known = {});
 /// Updates the shards around the first crack; call it before a frame is drawn.
 void follow_first_cracks(EmbeddedDisplay& display, const Frame& frame, const Scene& scene);
 

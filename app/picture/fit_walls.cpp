@@ -25,12 +25,8 @@ double mean_edge(const TriangleSurface& surface) {
 
 class WallFitter {
  public:
-  WallFitter(const SplinterSet& set, const PlacedTets& placed, const TriangleSurface& surface)
-      : set_(set),
-        mesh_(build_mesh(placed.soup)),
-        locator_(placed.soup),
-        tree_(surface),
-        spacing_(mean_edge(surface)) {}
+  WallFitter(const SplinterSet& set, const TetSoup& soup, const TriangleSurface& surface)
+      : set_(set), mesh_(build_mesh(soup)), locator_(soup), tree_(surface), spacing_(mean_edge(surface)) {}
 
   /// Returns the corners of the fitted face with their carriers.
   std::vector<SplinterCorner> corners(const SplinterFace& face) const {
@@ -145,8 +141,8 @@ class WallFitter {
 
 }  // namespace
 
-void fit_walls(SplinterSet& splinters, const PlacedTets& placed, const TriangleSurface& surface) {
-  const WallFitter fitter(splinters, placed, surface);
+void fit_walls(SplinterSet& splinters, const TetSoup& soup, const TriangleSurface& surface) {
+  const WallFitter fitter(splinters, soup, surface);
   std::vector<SplinterFace> faces = splinters.faces;
   std::vector<SplinterCorner> corners;
   for (SplinterFace& face : faces) {

@@ -18,30 +18,33 @@ SplinterSet set_of(const Frame::Splinters& splinters) {
 
 }  // namespace
 
-Shards::Shards(const Frame& frame, const Scene& scene, const Monitor& monitor)
+Shards::Shards(const Frame& frame, const Scene& scene, const Monitor& monitor, const KnownShards& known)
     : neighbors_(frame.elements.neighbors.begin(), frame.elements.neighbors.end()),
       tets_(frame.elements.tets.begin(), frame.elements.tets.end()),
       centers_(scene.bodies.size()) {
   if (std::ssize(tets_) <= kMaxTets && std::ranges::any_of(scene.bodies, may_have_shards))
-    make(frame, scene, monitor);
+    make(frame, scene, monitor, known);
   else
     skins_ = make_skins(frame, scene);
 }
 
-void Shards::make(const Frame& frame, const Scene& scene, const Monitor& monitor) {
+void Shards::make(const Frame& frame, const Scene& scene, const Monitor& monitor, const KnownShards& known) {
   SplinterSet set = set_of(frame.splinters);
   std::vector<Skin> skins;
   std::vector<int> radial;
+  KnownShards made;
   for (int i = 0; i < std::ssize(scene.bodies); ++i) {
     if (!may_have_shards(scene.bodies[i])) continue;
-    const BodyShards body = make_body_shards(frame, scene, i, placed_tets(frame, tets_, i), centers_[i], monitor);
-    append(set, body.set, body.placed.tets.front(), i);
-    if (body.surface) skins.push_back(make_skin(body));
-    if (body.is_radial) radial.push_back(i);
+    const PlacedTets placed = placed_tets(frame, tets_, i);
+    const BodyShards& body = *made.emplace_back(body_shards(frame, scene, i, placed.soup, centers_[i], known, monitor));
+    append(set, body.set, placed.tets.front(), i);
+    if (body.order.surface) skins.push_back(make_skin(body, placed, i));
+    if (body.order.is_radial()) radial.push_back(i);
   }
   set_ = std::move(set);
   skins_ = std::move(skins);
   radial_ = std::move(radial);
+  bodies_ = std::move(made);
 }
 
 /// Returns the places of first cracks around which shards lie in that frame; unchanged before the first crack.
@@ -60,7 +63,7 @@ bool Shards::are_behind(const Frame& frame, const Scene& scene) const {
 bool Shards::follow(const Frame& frame, const Scene& scene) {
   if (!are_behind(frame, scene)) return false;
   centers_ = centers_in(frame, scene);
-  make(frame, scene, {});
+  make(frame, scene, {}, bodies_);
   return true;
 }
 

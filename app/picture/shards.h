@@ -21,29 +21,33 @@ class Shards {
   static constexpr int kMaxTets = 10'000;
 
   Shards() = default;
-  /// `frame`: before any fracture. Throws InputError if a surface cannot be read, Cancelled by the monitor.
-  Shards(const Frame& frame, const Scene& scene, const Monitor& monitor = {});
+  /// `frame`: before any fracture. Takes shards of unchanged bodies from `known`. Throws InputError if a surface cannot
+  /// be read, Cancelled by the monitor.
+  Shards(const Frame& frame, const Scene& scene, const Monitor& monitor = {}, const KnownShards& known = {});
 
   bool empty() const { return set_.splinters.empty(); }
   /// Returns the splinters of the initial frame, followed by all shards.
   const SplinterSet& set() const { return set_; }
   /// Returns the original surfaces of bodies, split by their shards if they have any.
   const std::vector<Skin>& skins() const { return skins_; }
+  /// Returns the shards of each body that has any.
+  const KnownShards& bodies() const { return bodies_; }
   /// Returns the state of the shards after the cracks of `frame`, any frame of the world.
   SplinterState state(const Frame& frame) const;
   /// True if some shards lie around another crack than the frame's first one. `frame`: any of the world's.
   bool are_behind(const Frame& frame, const Scene& scene) const;
-  /// Remakes those shards. True if there were any.
+  /// Remakes those shards, and no others. True if there were any.
   bool follow(const Frame& frame, const Scene& scene);
 
  private:
   FirstCracks centers_in(const Frame& frame, const Scene& scene) const;
-  void make(const Frame& frame, const Scene& scene, const Monitor& monitor);
+  void make(const Frame& frame, const Scene& scene, const Monitor& monitor, const KnownShards& known);
 
   std::vector<std::array<TetId, 4>> neighbors_;  ///< neighbors of the first frame's tets
   std::vector<std::array<NodeId, 4>> tets_;      ///< corners of the first frame's tets
   FirstCracks centers_;                          ///< per scene body whose shards lie around its first crack
   std::vector<int> radial_;                      ///< indices of these bodies
+  KnownShards bodies_;
   SplinterSet set_;
   std::vector<Skin> skins_;
 };

@@ -109,9 +109,9 @@ Vec3 skin_position(const Frame& frame, const SkinCorner& corner) {
   return position;
 }
 
-Skin make_skin(const BodyShards& shards) {
-  const SurfaceOnTets body{*shards.surface, shards.placed};
-  Skin skin{shards.scene_body, !body.surface.uvs.empty(), {0}, {}};
+Skin make_skin(const BodyShards& shards, const PlacedTets& placed, int scene_body) {
+  const SurfaceOnTets body{*shards.order.surface, placed};
+  Skin skin{scene_body, !body.surface.uvs.empty(), {0}, {}};
   int start = 0;
   for (std::size_t t = 0; t < body.surface.triangles.size(); ++t) {
     std::array<Vec3, 3> triangle;

@@ -49,7 +49,7 @@ Vec3 skin_position(const Frame& frame, const SkinCorner& corner);
 /// file cannot be read.
 std::vector<Skin> make_skins(const Frame& frame, const Scene& scene);
 
-/// Returns the original surface in `shards`, split by them.
-Skin make_skin(const BodyShards& shards);
+/// Returns the original surface in `shards`, split by them. `placed`: their tets in the frame.
+Skin make_skin(const BodyShards& shards, const PlacedTets& placed, int scene_body);
 
 }  // namespace griffith::app

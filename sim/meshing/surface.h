@@ -15,6 +15,7 @@ struct TriangleSurface {
   std::vector<std::array<int, 3>> triangles;  ///< indices into `points`, counterclockwise seen from outside
   std::vector<std::array<Vec2, 3>> uvs;       ///< per triangle and corner; empty: none
   std::vector<std::array<Vec3, 3>> normals;   ///< per triangle and corner, of unit length; empty: none
+  bool operator==(const TriangleSurface&) const = default;
 };
 
 /// Reads a surface with all its objects from .obj, .stl, .ply, .off, .gltf or .glb. Polygons are cut into triangles,

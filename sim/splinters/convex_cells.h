@@ -66,6 +66,7 @@ struct ShardPattern {
   int seed = 1;                ///< >= 0; another number gives another pattern
   Vec3 grain = Vec3(0, 1, 0);  ///< direction of elongation; any length but 0
   double elongation = 1;       ///< length over width, >= 1
+  bool operator==(const ShardPattern&) const = default;
 };
 
 /// Returns the Voronoi cells of one point in each tet of a mesh in rest space.

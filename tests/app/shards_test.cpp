@@ -7,6 +7,9 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/output/export_pieces.h"
 #include "app/picture/draw_scene_from_frame.h"
@@ -310,6 +313,47 @@ TEST(Shards, OfGlassShareOutThePane) {
   const SeenPieces seen = seen_pieces(frame, shards);
   EXPECT_NEAR(seen.volume, 0.04, 0.001);
   EXPECT_LT(seen.unseen_part, 0.1);
+}
+
+/// Corners of all faces of the shards [m], and the tets of their parts.
+std::pair<std::vector<Vec3>, std::vector<TetId>> contents(const Shards& shards) {
+  std::pair<std::vector<Vec3>, std::vector<TetId>> all;
+  for (const SplinterCorner& corner : shards.set().corners) all.first.push_back(corner.rest.cast<double>());
+  for (const SplinterPart& part : shards.set().parts) all.second.push_back(part.tet);
+  return all;
+}
+
+TEST(Shards, AreKeptForBodiesThatStayAsTheyAre) {
+  Scene scene = wall(1);
+  for (const double x : {3.0, 6.0}) {
+    scene.bodies.push_back(scene.bodies[0]);
+    scene.bodies.back().name += std::to_string(x);
+    scene.bodies.back().position.x() = x;
+  }
+  const Shards first(World(scene).frame(), scene);
+  std::get<BoxShape>(scene.bodies[0].shape).element_size.x() /= 2;  // now the tets of all others have other numbers
+  scene.bodies[2].material = *find_material_preset("wood_along_grain");
+  const World edited(scene);
+  const Shards second(edited.frame(), scene, {}, first.bodies());
+  ASSERT_EQ(second.bodies().size(), 3u);
+  EXPECT_NE(second.bodies()[0], first.bodies()[0]);
+  EXPECT_EQ(second.bodies()[1], first.bodies()[1]);
+  EXPECT_NE(second.bodies()[2], first.bodies()[2]) << "shards of wood are long";
+  EXPECT_EQ(contents(second), contents(Shards(edited.frame(), scene)));
+}
+
+TEST(Shards, OfOnePaneAreMadeAgainWhenItCracks) {
+  Scene scene = pane();
+  scene.bodies.push_back(scene.bodies[0]);
+  scene.bodies[1].name = "other";
+  scene.bodies[1].position.x() = 3;
+  World world(scene);
+  Shards shards(world.frame(), scene);
+  const KnownShards before = shards.bodies();
+  for (int i = 0; i < 60 && world.frame().crack_events.empty(); ++i) world.step();
+  ASSERT_TRUE(shards.follow(world.frame(), scene));
+  EXPECT_NE(shards.bodies()[0], before[0]);
+  EXPECT_EQ(shards.bodies()[1], before[1]);
 }
 
 }  // namespace
