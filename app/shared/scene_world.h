@@ -7,7 +7,8 @@
 
 namespace griffith::app {
 
-/// Returns the error with the scene's file before its place if that is a JSON pointer alone: a world knows no file.
+/// Returns the error with the scene's file before its place, if the place is only a JSON pointer: a world does not know
+/// its file.
 InputError in_file(const std::filesystem::path& scene_file, const InputError& error);
 
 /// Builds the world of a scene that was read from `scene_file` (empty: from none). Errors name the file.

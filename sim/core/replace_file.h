@@ -11,8 +11,8 @@ namespace griffith {
 /// and pipes are written directly. Throws InputError if any part fails, closing included.
 void replace_file(const std::filesystem::path& path, std::string_view content);
 
-/// Removes files that killed programs left in a folder during replace_file(): this user's files with its kind of names
-/// that nobody holds and that are older than a minute.
+/// Removes files that interrupted programs left in a folder during replace_file(): those of this user with such a name
+/// that no program has locked and that are older than a minute.
 void remove_stale_files(const std::filesystem::path& folder);
 
 /// Throws the InputError of a later replace_file() as far as it can be predicted. Call it before long work whose result

@@ -4,8 +4,8 @@
 
 namespace griffith {
 
-/// Resistance of an element that is pressed to little of its volume, beside its elastic law: Ogden's volumetric energy
-/// (1972) with β = 2, from a volume ratio J₀ on:
+/// Resistance of an element to compression to a small fraction of its volume, in addition to its elastic law. Ogden's
+/// volumetric energy (1972) with β = 2, below a volume ratio J₀:
 ///   U(J) = κ/4 (2 ln r + r⁻² − 1),   r = J/J₀ < 1,   J = det F
 /// Its pressure grows without limit, so that no impact turns elements inside out. Corotational strain alone resists by
 /// a finite force (J₀ = 0.3). Green's resists less and less once it is pressed to s = 1/√3 of its length: its force per
@@ -17,7 +17,7 @@ struct Compaction {
   double energy_density = 0;  ///< [J/m³]
 };
 
-/// Returns what it adds to an element with this strain, in the law's measure; `inverted`: in corotational strain.
+/// Returns the contribution to an element with this strain, in the law's measure; `inverted`: in corotational strain.
 Compaction compaction_of(const ElasticLaw& law, const Mat3& strain, bool inverted);
 
 /// True if a law resists the compaction of an element to this volume ratio J.

@@ -27,12 +27,12 @@ void add_edge_stiffness(const RestElement& rest, int edge, NodeStiffness& sums);
 double bounding_frequency(const ElasticLaw& law, double density, const RestElement& rest,
                           const std::array<double, 4>& corners, const std::array<double, 6>& edges);
 
-/// The stiffest few elements of a mesh, at most 2 %, may have frequencies so many times as high as the others' when
-/// these set the microstep: they have little energy, and stay within three quarters of the limit of stability.
+/// Largest ratio of the frequencies of the stiffest elements of a mesh, at most 2 % of them, to those of the others,
+/// which set the microstep. The stiffest have little energy, and stay within three quarters of the limit of stability.
 inline constexpr double kFewOverMost = 1.6;
 
-/// Returns the largest bounding_frequency() of a mesh except for the stiffest few, or what these request [rad/s]. The
-/// largest is 1.2 to 1.6 times the highest frequency of a mesh (test).
+/// Returns the largest bounding_frequency() of a mesh except for the stiffest few, or more if these need it [rad/s].
+/// The largest is 1.2 to 1.6 times the highest frequency of a mesh (test).
 ///   corners, edges  indices of each element's, not negative
 double highest_quadratic_frequency(const ElasticLaw& law, double density, std::span<const RestElement> rest_elements,
                                    std::span<const std::array<int, 4>> corners,

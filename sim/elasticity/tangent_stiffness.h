@@ -8,7 +8,7 @@ namespace griffith {
 /// frames U and V, D = Uᵀ dF V, it is (Smith, de Goes & Kim 2019; Stomakhin et al. 2012)
 ///   Σ S_ij D_ii D_jj + Σ_{i<j} ½ [ f_ij (D_ij + D_ji)² + t_ij (D_ij − D_ji)² ]
 /// with S = ∂²ψ/∂σ_i∂σ_j, f_ij = (ψ_i − ψ_j)/(σ_i − σ_j) and t_ij = (ψ_i + ψ_j)/(σ_i + σ_j). Unlike stiffness_row(), it
-/// knows how compressed elements buckle and how stretched ones resist turning.
+/// includes the buckling of compressed elements and the resistance of stretched ones to rotation.
 struct TangentStiffness {
   Mat3 left = Mat3::Identity(), right = Mat3::Identity();  ///< U, V
   Mat3 stretching = Mat3::Zero();                          ///< S
@@ -18,8 +18,8 @@ struct TangentStiffness {
   StiffnessRow row(const RestElement& rest, int corner, double factor) const;
 };
 
-/// Returns that of an element without plastic strain, in this state. Eigenvalues below `least` ≤ 0 are raised to it
-/// [Pa], so that the matrix of a step remains positive definite.
+/// Returns the tangent stiffness of an element without plastic strain. Raises eigenvalues below `least` to it [Pa], <=
+/// 0, so that the matrix of a step remains positive definite.
 TangentStiffness tangent_stiffness(const ElasticLaw& law, const RestElement& rest, const Corners& corners,
                                    double least);
 

@@ -10,7 +10,7 @@
 
 namespace griffith {
 
-/// Shapes of cells in mesh files. Those from tetrahedron on have a volume.
+/// Shapes of cells in mesh files. Those from the tetrahedron on have a volume.
 enum class CellShape : std::uint8_t {
   point,
   line,

@@ -15,7 +15,7 @@ struct VtkCells {
 };
 
 /// Appends `cells` (of second and higher order: their corners) to `file`. Its `point_count` points are numbered from
-/// `first_point`. Returns a problem, or an empty text.
+/// `first_point`. Returns the problem; empty if there is none.
 std::string add_vtk_cells(const VtkCells& cells, int first_point, std::int64_t point_count, MeshFile& file);
 
 }  // namespace griffith
