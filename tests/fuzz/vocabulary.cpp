@@ -1,6 +1,6 @@
 #include "tests/fuzz/vocabulary.h"
 
-#include "sim/scene/scene_schema.h"
+#include "sim/core/read_file.h"
 
 namespace griffith::fuzz {
 namespace {
@@ -24,7 +24,7 @@ void visit(const Json& schema, const std::string& field, Vocabulary& words) {
 
 Vocabulary scene_vocabulary() {
   Vocabulary words;
-  visit(Json::parse(scene_schema()), "", words);
+  visit(Json::parse(read_file(GRIFFITH_SOURCE_DIR "/scenes/scene.schema.json")), "", words);
   return words;
 }
 

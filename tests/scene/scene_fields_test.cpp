@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "problems.h"
-#include "sim/scene/scene_schema.h"
+#include "tests/scene/scene_schema.h"
 
 // Every field, from the schema, which is made from the table that the reader follows.
 

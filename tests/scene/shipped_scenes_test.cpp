@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/scene/scene_reader.h"
-#include "sim/scene/scene_schema.h"
 #include "sim/scene/scene_writer.h"
+#include "tests/scene/scene_schema.h"
 #include "text_of.h"
 
 namespace griffith {

@@ -1,4 +1,4 @@
-#include "sim/scene/scene_schema.h"
+#include "tests/scene/scene_schema.h"
 
 #include <nlohmann/json.hpp>
 
