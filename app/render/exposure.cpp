@@ -22,6 +22,12 @@ std::uint8_t encoded(float light) {
 
 }  // namespace
 
+float lens_radius(const render::Camera& camera) {
+  constexpr float kAperture = 0.009f;  // in heights of the view at the target
+  constexpr float kLargest = 0.015f;   // [m], of a 50 mm lens at f/1.7: with larger ones, houses look like models
+  return std::min(kAperture * height_at_target(camera), kLargest);
+}
+
 std::vector<Exposure> exposures(int count, int times) {
   constexpr double kGoldenAngle = 2.3999632;  // Vogel 1979
   std::vector<Exposure> result;
@@ -38,9 +44,9 @@ std::vector<Exposure> exposures(int count, int times) {
 }
 
 render::Camera exposed(const render::Camera& camera, const Exposure& exposure, int height) {
-  constexpr float kAperture = 0.009f;  // radius of the lens in heights of the view at the target
   render::Camera moved = camera;
-  moved.position = render::pan(camera, kAperture * exposure.lens.x(), kAperture * exposure.lens.y()).position;
+  const float radius = lens_radius(camera) / height_at_target(camera);
+  moved.position = render::pan(camera, radius * exposure.lens.x(), radius * exposure.lens.y()).position;
   const Eigen::Vector2f shift = exposure.pixel / static_cast<float>(height);
   return render::pan(moved, shift.x(), shift.y());
 }

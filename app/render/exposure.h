@@ -19,6 +19,9 @@ struct Exposure {
 /// same in every run.
 std::vector<Exposure> exposures(int count, int times);
 
+/// Returns the radius of a poster's lens [m]: a part of what is in view, and no larger than a camera's.
+float lens_radius(const render::Camera& camera);
+
 /// Moves the camera to the exposure's point of its lens. Everything as far as the target stays in its place, but for
 /// the offset of the pixel. `height`: of the picture [pixels].
 render::Camera exposed(const render::Camera& camera, const Exposure& exposure, int height);

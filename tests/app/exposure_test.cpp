@@ -36,8 +36,19 @@ TEST(Exposures, KeepWhatIsAsFarAsTheTargetInItsPlace) {
     one.pixel.setZero();
     const render::Camera moved = exposed(camera, one, 720);
     EXPECT_EQ(moved.target, camera.target);
-    EXPECT_NEAR((moved.position - camera.position).norm(), 0.009f * height_at_target(camera) * one.lens.norm(), 1e-5f);
+    EXPECT_NEAR((moved.position - camera.position).norm(), lens_radius(camera) * one.lens.norm(), 1e-5f);
   }
+}
+
+TEST(Exposures, BlurNearThingsInProportionAndLargeOnesAsACameraDoes) {
+  const auto radius_at = [](float distance) {
+    render::Camera camera;
+    camera.position = camera.target + distance * Eigen::Vector3f::UnitZ();
+    return lens_radius(camera);
+  };
+  EXPECT_NEAR(radius_at(0.2f), 2 * radius_at(0.1f), 1e-7f);
+  EXPECT_EQ(radius_at(40), radius_at(20));
+  EXPECT_LT(radius_at(20), 0.02f) << "a lens that a hand can hold [m]";
 }
 
 TEST(FrameLater, IsWhereConstantVelocitiesLead) {
