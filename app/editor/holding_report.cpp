@@ -27,7 +27,9 @@ std::string strength_fact(const CriticalFactor& strength, const Material& materi
          instead_of(material.tensile_strength, strength.holds, "Pa") +
          (material.compressive_strength ? ", " + instead_of(*material.compressive_strength, strength.holds, "Pa")
                                         : "") +
-         " and " + instead_of(material.fracture_toughness, strength.holds, "Pa·√m") + ".";
+         " and " + instead_of(material.fracture_toughness, strength.holds, "Pa·√m") +
+         ". The utilization, load over strength as the node cracks, is another number: earlier cracks moved load "
+         "there, and in a stronger body they may not open.";
 }
 
 /// Returns the common speed of all shots of a run; 0 if they differ or bodies have initial velocities.
