@@ -134,7 +134,7 @@ struct Ground {
 /// Surroundings made of formulas: they light objects and are mirrored by them, from standard quality on.
 struct Environment {
   enum class Kind {
-    studio,  ///< a gray room with a lamp and two softboxes
+    studio,  ///< a gray room with a lamp, two softboxes and a window
     sky      ///< a clear sky with a sun
   };
   Kind kind = Kind::studio;

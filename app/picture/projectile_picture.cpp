@@ -8,7 +8,7 @@ namespace {
 
 /// Look of a material of some density; painted by default.
 struct ProjectileLook {
-  render::Rgb color = {0.24f, 0.27f, 0.31f};
+  render::Rgb color = {0.25f, 0.25f, 0.26f};
   float metal = 0, roughness = 0.3f, mottle = 0;  ///< as render::Sphere
 };
 

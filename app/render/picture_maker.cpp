@@ -35,6 +35,7 @@ constexpr render::Background kBlack = {{0, 0, 0}, {0, 0, 0}}, kWhite = {{1, 1, 1
 
 void put_under_sky(render::DrawScene& drawn) {
   drawn.environment.kind = render::Environment::Kind::sky;
+  if (drawn.ground) drawn.ground->color = {0.43f, 0.40f, 0.355f};  // weathered concrete, warmer than a hall's
   drawn.background = {{0.42f, 0.56f, 0.75f}, {0.74f, 0.79f, 0.84f}, true};
 }
 

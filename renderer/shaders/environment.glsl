@@ -1,10 +1,11 @@
-// Surroundings made of formulas, in linear light: a studio with a lamp and two softboxes, or a clear sky with a sun. Smooth
+// Surroundings made of formulas, in linear light: a studio with a lamp, two softboxes and a window, or a clear sky with a sun. Smooth
 // faces mirror environment() and lamp_light(); rough ones a blurred version; all faces are lit by ambient_light().
 const vec3 kLampLight = vec3(1.00, 0.97, 0.91), kSunLight = vec3(1.62, 1.38, 1.04);  // on a face toward it
 const vec3 kCeiling = vec3(0.34, 0.35, 0.36), kWalls = vec3(0.17, 0.175, 0.18);  // of the studio
 const vec3 kFillAxis = vec3(0.78, 0.42, 0.46), kRimAxis = vec3(0.30, 0.40, -0.866);
 const vec3 kFill = vec3(0.86, 0.93, 1.00), kRim = vec3(1.9, 1.86, 1.80);
-const vec3 kZenith = vec3(0.09, 0.20, 0.46), kHorizon = vec3(0.52, 0.61, 0.71);
+const vec3 kWindowAxis = vec3(-0.46, 0.24, 0.855), kDay = vec3(2.2, 2.35, 2.6);  // narrow: seen in panes, lights little
+const vec3 kZenith = vec3(0.12, 0.23, 0.47), kHorizon = vec3(0.52, 0.61, 0.71);
 
 bool is_sky() { return effects.w > 0.5; }
 
@@ -19,6 +20,16 @@ float softbox(vec3 direction, vec3 axis, vec2 size, float blur) {
   float ahead = dot(direction, axis);
   vec2 place = vec2(dot(direction, right), dot(direction, up)) / max(ahead, 0.05);
   return step(0.05, ahead) * strip(place.x, size.x, blur) * strip(place.y, size.y, blur);
+}
+
+// Light of a window of two by three panes.
+vec3 window_light(vec3 direction, float blur) {
+  const vec2 kSize = vec2(0.17, 0.36);
+  vec3 right = normalize(vec3(kWindowAxis.z, 0.0, -kWindowAxis.x)), up = cross(kWindowAxis, right);
+  vec2 place = vec2(dot(direction, right), dot(direction, up)) / max(dot(direction, kWindowAxis), 0.05);
+  vec2 pane = 2.0 * kSize / vec2(2.0, 3.0), within = abs(fract((place + kSize) / pane) - 0.5);
+  vec2 bar = smoothstep(vec2(0.5), vec2(0.44), within);
+  return kDay * softbox(direction, kWindowAxis, kSize, blur) * mix(bar.x * bar.y, 0.8, smoothstep(0.01, 0.1, blur));
 }
 
 // Light of the lamp or the sun that a face of that roughness (0: smooth, 1: dull) mirrors.
@@ -59,6 +70,7 @@ vec3 environment(vec3 direction, float roughness) {
   vec3 room = mix(kWalls, kCeiling, smoothstep(-0.2, 1.0, direction.y));
   room += kFill * softbox(direction, kFillAxis, vec2(0.35, 0.62), blur);
   room += kRim * softbox(direction, kRimAxis, vec2(0.75, 0.16), blur);
+  room += window_light(direction, blur - 0.03);
   return surroundings.w * mix(ground, room, above);
 }
 

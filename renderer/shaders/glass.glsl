@@ -1,6 +1,6 @@
 // Transparent materials as sums that need no order: optical depth adds up along the line of sight (Beer-Lambert law),
 // and so do small fractions of reflected light. glass_blend.frag makes the picture.
-const float kMatShare = 0.7;  // fraction of light from the rough faces of a crack
+const float kMatShare = 0.6;  // fraction of light from the rough faces of a crack
 const float kInnerShare = 0.8;  // of light that the sides of a body reflect inside
 const float kCaught = 0.6;  // fraction of the lamp's light at the edges of a pane
 
@@ -30,8 +30,9 @@ void emit_glass(vec3 color, float clear_depth, vec3 covered, vec3 position, vec3
   share = max(share, kInnerShare * within);  // sides mirror the inside: light is caught by total reflection
   mirrored = mix(mirrored, linear_from_srgb(color) * (environment(direction, 0.1) + kCaught * direct_light()), within);
   if (rough) {  // light trapped in the pane leaves it here, in any direction
-    vec3 caught = linear_from_srgb(sqrt(color)) * (ambient_light(normal) + kCaught * direct_light());
-    mirrored = mix(environment(direction, 0.15) + lamp_light(direction, 0.15), caught, 0.7);
+    float lit = 1.9 * kCaught * pow(abs(dot(normal, light.xyz)), 1.5);  // from either side; as much in the mean
+    vec3 caught = linear_from_srgb(sqrt(color)) * (0.8 * ambient_light(normal) + lit * direct_light());
+    mirrored = mix(environment(direction, 0.1) + lamp_light(direction, 0.1), caught, 0.6);
     share = max(share, kMatShare);
   }
   share *= visible_here;

@@ -20,7 +20,7 @@ vec3 lit(vec3 shown, float grain) {
   return reflected(shown, vec3(0.75 + 1.1 * light_visibility(position, vec3(0, 1, 0))));
 }
 #else
-// Screed: dull, a little glossy at grazing angles, and mottled at five scales.
+// Screed: dull, a little glossy at grazing angles, mottled at five scales; dark places are rougher.
 float mottling(vec2 place) {
   vec2 dx = dFdx(place), dy = dFdy(place);
   float sum = 0.0, scale = 1.1;
@@ -34,12 +34,13 @@ float mottling(vec2 place) {
 }
 
 vec3 lit(vec3 shown, float grain) {
-  const float kRoughness = 0.55;
+  const float kContrast = 0.14;
   vec3 up = vec3(0, 1, 0);
   float visibility = light_visibility(position, up), openness = ambient_openness(position);
-  vec3 color = linear_from_srgb(shown) * (1.0 + 0.12 * mottling(grain * position.xz));
+  float worn = mottling(grain * position.xz);
+  vec3 color = linear_from_srgb(shown) * (1.0 + kContrast * worn);
   return displayed(color * colored_illumination(up, visibility, openness) +
-                   mirrored_light(vec3(0.02), position, up, kRoughness, visibility, openness));
+                   mirrored_light(vec3(0.02), position, up, 0.55 - 0.06 * worn, visibility, openness));
 }
 #endif
 
