@@ -275,6 +275,18 @@ TEST(EditorLayout, SpeedStaysBetweenAThousandthAndOne) {
   EXPECT_NEAR(ui.state.speed, 1, 1e-6);
 }
 
+TEST(EditorLayout, ShowsTheDurationOfAStepOnceOneWasMade) {
+  UiDriver ui(two_walls());
+  ui.frame();
+  EXPECT_EQ(find_tag(ui.tags, "toolbar/step_time"), nullptr);
+  ui.input.step_milliseconds = 0.012;
+  ui.frame();
+  EXPECT_EQ(ui.value("toolbar/step_time"), "0.012 ms/step");
+  ui.input.step_milliseconds = 12.34;
+  ui.frame();
+  EXPECT_EQ(ui.value("toolbar/step_time"), "12.3 ms/step");
+}
+
 TEST(EditorLayout, LongLabelsEndInDotsBeforeTheirWidget) {
   UiDriver ui(two_walls());
   ImGui::NewFrame();

@@ -95,8 +95,11 @@ void times(const Panel& panel, float end) {
   const auto show = [&](const char* tag) {
     if (text_before(panel, end, palette::kTextDim, text)) tag_last_item(panel.tags, tag, text);
   };
-  std::snprintf(text, sizeof text, "%.1f ms/step", panel.input.step_milliseconds);
-  show("toolbar/step_time");
+  if (panel.input.step_milliseconds > 0) {  // a step was made
+    const double duration = panel.input.step_milliseconds;
+    std::snprintf(text, sizeof text, duration < 0.1 ? "%.2g ms/step" : "%.1f ms/step", duration);
+    show("toolbar/step_time");
+  }
   if (!panel.state.running) return;  // the window draws only when something changes, so no time passes
   const double pictures = panel.input.frames_per_second;
   std::snprintf(text, sizeof text, pictures < 10 ? "%.2g fps" : "%.0f fps", pictures);
