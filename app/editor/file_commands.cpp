@@ -115,7 +115,8 @@ const EditorCommand kFileCommands[] = {
      [](Editor& e, const ui::Command& c) { e.files().ask_where_to_save(ui::SavedKind::exported, c.path); }},
     {{.name = "file.render",
       .label = "Render…",
-      .hint = "Draw the view in any size, a turntable of it, or pictures of all scenes in this folder",
+      .hint =
+          "Draw the view in any size as a still, a turntable of it, or a batch: pictures of all scenes in this folder",
       .menu = Menu::file,
       .group = 2,
       .shortcut = {'R', true},

@@ -53,6 +53,7 @@ TEST(CommandSearch, ABeginningOrAMenuOrAWordOfTheHelpSuffices) {
   EXPECT_EQ(best("add sph"), "add.sphere");
   EXPECT_EQ(best("projectile"), "add.projectile");
   EXPECT_EQ(best("at the cursor"), "simulation.fire");
+  EXPECT_EQ(best("batch"), "file.render");
   EXPECT_EQ(best("qqq"), "nothing");
 }
 
