@@ -53,7 +53,7 @@ void WorldLoader::start(LoadReason reason, Scene scene, std::filesystem::path pa
 
 void WorldLoader::start(LoadReason reason, MakeScene make_scene, std::filesystem::path path, double max_tets) {
   cancel();
-  order_ = {reason, std::move(make_scene), std::move(path), max_tets, shards_};
+  order_ = {reason, std::move(make_scene), std::move(path), max_tets, std::move(order_.known)};
   shared_ = std::make_shared<Shared>();
   shared_->stage = "Building bodies";
   result_ = std::async(std::launch::async, build, order_, shared_);
@@ -70,7 +70,7 @@ bool WorldLoader::wait(double seconds) const {
 std::optional<WorldLoader::Loaded> WorldLoader::take() {
   if (!wait(0)) return std::nullopt;
   Loaded loaded = std::exchange(result_, {}).get();
-  shards_ = loaded.display.shards.bodies();
+  order_.known = loaded.display.shards.bodies();
   return loaded;
 }
 

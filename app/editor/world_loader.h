@@ -86,7 +86,6 @@ class WorldLoader {
   Order order_;
   std::shared_ptr<Shared> shared_;
   std::future<Loaded> result_;
-  KnownShards shards_;                          ///< shards of the last world
   std::vector<std::future<Loaded>> cancelled_;  ///< builds whose threads have not ended yet
 };
 

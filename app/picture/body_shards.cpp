@@ -95,11 +95,6 @@ BodyShards make_body_shards(ShardOrder order, const Monitor& monitor) {
 
 }  // namespace
 
-bool ShardOrder::operator==(const ShardOrder& other) const {
-  return pattern == other.pattern && soup.tets == other.soup.tets && soup.points == other.soup.points &&
-         surface == other.surface;
-}
-
 bool may_have_shards(const BodyDescription& body) { return !body.splinters && !body.remeshing; }
 
 FirstCracks first_cracks(const Frame& frame, std::size_t scene_bodies) {

@@ -21,7 +21,7 @@ struct ShardOrder {
   std::optional<TriangleSurface> surface;  ///< surface shown by the body, in its placement; none: faces of its tets
 
   bool is_radial() const { return std::holds_alternative<RadialSplinters>(pattern); }
-  bool operator==(const ShardOrder& other) const;
+  bool operator==(const ShardOrder&) const = default;
 };
 
 /// Shards of a body.

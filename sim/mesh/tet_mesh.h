@@ -12,6 +12,7 @@ namespace griffith {
 struct TetSoup {
   std::vector<Vec3> points;              ///< [m]
   std::vector<std::array<int, 4>> tets;  ///< indices into `points`
+  bool operator==(const TetSoup&) const = default;
 };
 
 /// Faces of a tet: face i lies opposite corner i, with its corners counterclockwise seen from outside.
