@@ -28,8 +28,8 @@ std::string strength_fact(const CriticalFactor& strength, const Material& materi
          (material.compressive_strength ? ", " + instead_of(*material.compressive_strength, strength.holds, "Pa")
                                         : "") +
          " and " + instead_of(material.fracture_toughness, strength.holds, "Pa·√m") +
-         ". The utilization, load over strength as the node cracks, is another number: earlier cracks moved load "
-         "there, and in a stronger body they may not open.";
+         ". The utilization at the crack can differ: earlier cracks move load, and in a stronger body they may not "
+         "open.";
 }
 
 /// Returns the common speed of all shots of a run; 0 if they differ or bodies have initial velocities.
