@@ -1,5 +1,6 @@
-// Surroundings made of formulas, in linear light: a studio with a lamp, two softboxes and a window, or a clear sky with a sun. Smooth
-// faces mirror environment() and lamp_light(); rough ones a blurred version; all faces are lit by ambient_light().
+// Surroundings made of formulas, in linear light: a studio with a lamp, two softboxes and a window, or a clear sky with
+// a sun. Smooth faces mirror environment() and lamp_light(); rough ones a blurred version; all faces are lit by
+// ambient_light().
 const vec3 kLampLight = vec3(1.00, 0.97, 0.91), kSunLight = vec3(1.62, 1.38, 1.04);  // on a face toward it
 const vec3 kCeiling = vec3(0.34, 0.35, 0.36), kWalls = vec3(0.17, 0.175, 0.18);  // of the studio
 const vec3 kFillAxis = vec3(0.78, 0.42, 0.46), kRimAxis = vec3(0.30, 0.40, -0.866);
@@ -70,7 +71,7 @@ vec3 environment(vec3 direction, float roughness) {
   vec3 room = mix(kWalls, kCeiling, smoothstep(-0.2, 1.0, direction.y));
   room += kFill * softbox(direction, kFillAxis, vec2(0.35, 0.62), blur);
   room += kRim * softbox(direction, kRimAxis, vec2(0.75, 0.16), blur);
-  room += window_light(direction, blur - 0.03);
+  room += window_light(direction, blur - 0.03);  // sharper than softboxes: panes show its bars
   return surroundings.w * mix(ground, room, above);
 }
 

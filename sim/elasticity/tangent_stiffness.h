@@ -18,7 +18,7 @@ struct TangentStiffness {
   StiffnessRow row(const RestElement& rest, int corner, double factor) const;
 };
 
-/// Returns the tangent stiffness of an element without plastic strain. Raises eigenvalues below `least` to it [Pa], <=
+/// Returns the tangent stiffness of an element without plastic strain. Raises eigenvalues to at least `least` [Pa], <=
 /// 0, so that the matrix of a step remains positive definite.
 TangentStiffness tangent_stiffness(const ElasticLaw& law, const RestElement& rest, const Corners& corners,
                                    double least);

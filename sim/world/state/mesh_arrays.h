@@ -117,7 +117,7 @@ struct ElementArrays {
   /// True if any strain of integration points is not zero.
   bool has_flowed_at_points() const;
 
-  /// Stops sharing states and stresses with copies, which belongs before loops in which several threads write them.
+  /// Stops sharing states and stresses with copies. Call it before several threads write them.
   void own_states() { states.edit(), stresses.edit(), quadratic_states.edit(); }
   /// Makes room for as many tets; new ones have no stress and belong to no body.
   void resize(std::size_t count);
