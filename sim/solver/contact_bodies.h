@@ -44,8 +44,10 @@ struct FrictionContact {
   Mat3 axes = Mat3::Identity();       ///< columns
   double friction = 0;                ///< Coulomb's coefficient, >= 0
   double target_velocity = 0;         ///< least velocity of parting [m/s]
+  double rebound = 0;                 ///< speed of parting after an impact on nothing else [m/s], >= 0
   Vec3 free_velocity = Vec3::Zero();  ///< velocity of a relative to b without impulses [m/s]
   Vec3 impulse = Vec3::Zero();        ///< on a: a guess before, the solution after [N·s]
+  Vec3 given_back = Vec3::Zero();     ///< part of `impulse` by the phase of restitution, likewise [N·s]
   double lift = -1;  ///< friction times sliding speed, likewise [m/s]; negative before: that of free_velocity
 };
 

@@ -3,8 +3,9 @@
 #include <cmath>
 
 namespace griffith {
+namespace {
 
-ConeProjection project_on_cone(const Vec3& asked, double friction) {
+ConeProjection project_on_whole_cone(const Vec3& asked, double friction) {
   const double normal = asked[0], tangential = asked.tail<2>().norm();
   if (tangential <= friction * normal) return {asked, Mat3::Identity()};
   if (friction * tangential <= -normal) return {};
@@ -16,6 +17,26 @@ ConeProjection project_on_cone(const Vec3& asked, double friction) {
   const double turning = sliding.impulse.tail<2>().norm() / tangential;
   sliding.derivative.bottomRightCorner<2, 2>() += turning * across * across.transpose();
   return sliding;
+}
+
+/// Projects onto the disc in which a plane cuts the cone.
+ConeProjection project_on_disc(const Vec3& asked, double radius, double normal) {
+  const double tangential = asked.tail<2>().norm();
+  ConeProjection found;
+  found.impulse = Vec3(normal, asked[1], asked[2]);
+  found.derivative.bottomRightCorner<2, 2>().setIdentity();
+  if (tangential <= radius) return found;
+  const Vec2 along = asked.tail<2>() / tangential, across(-along[1], along[0]);
+  found.impulse.tail<2>() = radius * along;
+  found.derivative.bottomRightCorner<2, 2>() = radius / tangential * across * across.transpose();
+  return found;
+}
+
+}  // namespace
+
+ConeProjection project_on_cone(const Vec3& asked, double friction, double least) {
+  const ConeProjection found = project_on_whole_cone(asked, friction);
+  return found.impulse[0] < least ? project_on_disc(asked, friction * least, least) : found;
 }
 
 bool sticks(const Vec3& impulse, double friction) {

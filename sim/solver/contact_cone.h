@@ -12,8 +12,9 @@ struct ConeProjection {
 
 /// Euclidean projection of an impulse along the axes of a contact onto Coulomb's cone, |tangential| <= friction ·
 /// normal. Inside the cone it is the impulse itself (sticking), inside the polar cone 0 (open), else on the cone's
-/// surface (sliding). See Castro, Permenter & Han 2022, section IV.
-ConeProjection project_on_cone(const Vec3& asked, double friction);
+/// surface (sliding). See Castro, Permenter & Han 2022, section IV. Of the cone the part counts whose normal impulse is
+/// at least `least` [N·s] >= 0.
+ConeProjection project_on_cone(const Vec3& asked, double friction, double least = 0);
 /// True if an impulse along the axes of a contact pushes and lies inside Coulomb's cone: the contact sticks.
 bool sticks(const Vec3& impulse, double friction);
 

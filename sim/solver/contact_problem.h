@@ -30,6 +30,9 @@ struct ContactTolerance {
 /// line search finds it; conjugate gradients solve its linear systems. γ₀ and the sliding speed |u_t| are those of the
 /// round before: rounds make the contacts rigid however soft r is (augmented Lagrangian: Alart & Curnier 1991), and
 /// keep what slides from lifting off (de Saxcé & Feng 1998; Cadoux's fixed point, Acary et al. 2011).
+/// Impacts rebound in a second phase by Poisson's hypothesis: each contact gives back of its normal impulse the share
+/// by which it would part at its speed of rebound if it were alone, and impulses are found again that are at least
+/// those (Glocker & Pfeiffer 1995). Speeds of parting alone would ask the impossible of bodies that interlock.
 /// Bodies with factors take part with the rows that contacts touch alone (TouchedInverse).
 /// Writes the impulses of `contacts`, and `changes` y of the deformable bodies, one column a row [m/s]. The same bits
 /// for any number of threads.

@@ -2,54 +2,23 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
-
 #include "sim/core/parallel.h"
-#include "sim/solver/contact_cone.h"
 #include "tests/random_values.h"
 #include "tests/solver/elastic_box.h"
+#include "tests/solver/rigid_contacts.h"
 
 namespace griffith {
 namespace {
 
+using testing::axes_of;
+using testing::change_at;
 using testing::ElasticBox;
+using testing::kExact;
+using testing::on_floor;
+using testing::random_problem;
 using testing::RandomValues;
 
 constexpr double kStepTime = 1.0 / 120, kFall = 9.81;
-constexpr ContactTolerance kExact{.relative = 1e-7, .negligible_speed = 1e-12, .max_rounds = 60};
-
-Mat3 axes_of(const Vec3& normal) {
-  Mat3 axes;
-  axes << normal, normal.unitOrthogonal(), normal.cross(normal.unitOrthogonal());
-  return axes;
-}
-
-/// Contact of a rigid body at an arm with what does not move, below it.
-FrictionContact on_floor(int body, const Vec3& arm, double friction, const Vec3& velocity) {
-  FrictionContact contact;
-  contact.a = {.body = body, .arm = arm};
-  contact.axes = axes_of(Vec3::UnitY());
-  contact.friction = friction;
-  contact.free_velocity = contact.axes.transpose() * velocity;
-  return contact;
-}
-
-/// Velocity of a rigid body's point by the impulses of the contacts that name it.
-Vec3 change_at(std::span<const RigidInertia> bodies, std::span<const FrictionContact> contacts,
-               const ContactSide& side) {
-  if (side.body < 0) return Vec3::Zero();
-  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
-  for (const FrictionContact& contact : contacts)
-    for (const auto& [of, sign] : {std::pair(&contact.a, 1.0), std::pair(&contact.b, -1.0)}) {
-      if (of->body != side.body) continue;
-      const Vec3 impulse = sign * (contact.axes * contact.impulse);
-      force += impulse;
-      torque += of->arm.cross(impulse);
-    }
-  const RigidInertia& body = bodies[side.body];
-  return force / body.mass + (body.inertia.inverse() * torque).cross(side.arm);
-}
-
 /// Expects Signorini's and Coulomb's laws of a contact with this relative velocity along its axes.
 void expect_laws(const FrictionContact& contact, const Vec3& velocity, double speed, double impulse) {
   const double parting = velocity[0] - contact.target_velocity, limit = contact.friction * contact.impulse[0];
@@ -65,46 +34,6 @@ void expect_laws(const FrictionContact& contact, const Vec3& velocity, double sp
   } else if (sliding > speed && limit > impulse) {
     EXPECT_LT(contact.impulse.tail<2>().dot(velocity.tail<2>()), -0.999 * limit * sliding + impulse * speed);
   }
-}
-
-TEST(ContactCone, ProjectsOntoTheNearestImpulse) {
-  RandomValues random(1);
-  for (int i = 0; i < 200; ++i) {
-    const double friction = random.uniform(0, 1.5);
-    const Vec3 asked = random.vector();
-    const ConeProjection found = project_on_cone(asked, friction);
-    EXPECT_LE(found.impulse.tail<2>().norm(), friction * found.impulse[0] + 1e-12);
-    EXPECT_NEAR(found.impulse.dot(asked - found.impulse), 0, 1e-12);
-    EXPECT_TRUE(project_on_cone(found.impulse * (1 - 1e-12), friction).impulse.isApprox(found.impulse, 1e-9));
-    for (int k = 0; k < 20; ++k) {
-      const double normal = random.uniform(0, 2), angle = random.uniform(0, 6.28);
-      const Vec3 other = normal * Vec3(1, friction * std::cos(angle), friction * std::sin(angle));
-      EXPECT_GE((asked - other).norm(), (asked - found.impulse).norm() - 1e-12);
-    }
-  }
-}
-
-TEST(ContactCone, DerivativeIsTheDifferenceQuotient) {
-  RandomValues random(2);
-  constexpr double kStep = 1e-7;
-  for (int i = 0; i < 200; ++i) {
-    const double friction = random.uniform(0.1, 1.5);
-    const Vec3 asked = random.vector(), direction = random.direction();
-    const ConeProjection found = project_on_cone(asked, friction);
-    const Vec3 quotient = (project_on_cone(asked + kStep * direction, friction).impulse -
-                           project_on_cone(asked - kStep * direction, friction).impulse) /
-                          (2 * kStep);
-    EXPECT_LT((quotient - found.derivative * direction).norm(), 1e-5);
-    EXPECT_TRUE(found.derivative.isApprox(found.derivative.transpose()));
-  }
-}
-
-TEST(ContactCone, OnlyWhatPushesWithinTheConeSticks) {
-  EXPECT_TRUE(sticks(Vec3(1, 0.3, -0.3), 0.5));
-  EXPECT_FALSE(sticks(Vec3(1, 0.4, -0.4), 0.5));
-  EXPECT_FALSE(sticks(Vec3(1, 0.3, -0.4), 0.5)) << "on the cone";
-  EXPECT_FALSE(sticks(Vec3::Zero(), 0.5));
-  EXPECT_FALSE(sticks(Vec3(-1, 0, 0), 0.5));
 }
 
 // Painlevé (1895): above µ = 4/3, a rod that leans by tan θ = 2 and is pulled along the floor can leave it or jam. Both
@@ -124,33 +53,6 @@ TEST(ContactProblem, OfTwoSolutionsAContactKeepsTheOneThatItHad) {
     EXPECT_EQ(contacts[0].impulse[0] > 0, stuck);
     EXPECT_NEAR(velocity.norm(), stuck ? 0 : contacts[0].free_velocity.norm(), 1e-7);
   }
-}
-
-struct RigidProblem {
-  std::vector<RigidInertia> bodies;
-  std::vector<FrictionContact> contacts;
-};
-
-RigidProblem random_problem(RandomValues& random) {
-  RigidProblem problem;
-  problem.bodies.resize(2 + random.index(4));
-  for (RigidInertia& body : problem.bodies) {
-    body.mass = std::pow(10, random.uniform(-2, 2));
-    const Mat3 turn = random.rotation();
-    body.inertia = body.mass * turn * Vec3(0.1, 0.2, 0.25).asDiagonal() * turn.transpose();
-  }
-  const auto random_body = [&] { return random.index(static_cast<int>(problem.bodies.size())); };
-  problem.contacts.resize(3 + random.index(10));
-  for (FrictionContact& contact : problem.contacts) {
-    contact.a = {.body = random_body(), .arm = random.vector()};
-    if (random.index(3) > 0) contact.b = {.body = random_body(), .arm = random.vector()};
-    if (contact.b.body == contact.a.body) contact.b.body = -1;
-    contact.axes = axes_of(random.direction());
-    contact.friction = random.uniform(0, 0.6);
-    contact.free_velocity = random.vector(2);
-    contact.target_velocity = random.index(2) == 0 ? 0 : -random.uniform(0, 1);
-  }
-  return problem;
 }
 
 TEST(ContactProblem, RandomRigidBodiesKeepTheLaws) {

@@ -67,7 +67,8 @@ class GroupBuilder {
       row.b = side(group, found.b, contact, law.arm_b);
       row.axes = law.axes;
       row.friction = law.friction;
-      row.target_velocity = target_velocity(found, law.target_velocity, fastest);
+      row.target_velocity = target_velocity(found, std::min(0.0, law.target_velocity), fastest);
+      row.rebound = std::max(0.0, law.target_velocity);
       group.target_velocities.push_back(row.target_velocity);
       row.free_velocity = law.axes.transpose() * law.free_velocity;
       row.impulse = law.guess;
@@ -286,7 +287,8 @@ void solve_groups(WorldState& world, TouchedBodies& touched, std::span<ContactGr
 /// True if two contacts have one problem; their impulses are left out.
 bool are_alike(const FrictionContact& left, const FrictionContact& right) {
   return left.a == right.a && left.b == right.b && left.axes == right.axes && left.friction == right.friction &&
-         left.target_velocity == right.target_velocity && left.free_velocity == right.free_velocity;
+         left.target_velocity == right.target_velocity && left.rebound == right.rebound &&
+         left.free_velocity == right.free_velocity;
 }
 
 /// Takes the solution of an earlier group with the same problem of the same bodies. Returns false if there is none.

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/solver/contact_problem.h"
+
+namespace griffith {
+
+/// A phase of a contact problem. Bodies do not rebound in it: FrictionContact::rebound is left out.
+struct ContactPhase {
+  std::span<FrictionContact> contacts;
+  std::span<const double> least_impulses = {};  ///< normal impulses that act at least [N·s], >= 0; empty: zeros
+  double energy = 0;                            ///< energy that it may add if it does not converge [J], >= 0
+};
+
+struct ContactOutcome {
+  ContactSolveReport report;
+  std::vector<NodeVectors> changes;  ///< of velocities, per deformable body, one column a row [m/s]
+  Eigen::Matrix3Xd velocities;       ///< at the contacts, along their axes, at the end [m/s]
+};
+
+/// Finds the impulses of a phase, which it writes to its contacts; see solve_contact_problem().
+ContactOutcome solve_rounds(std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid,
+                            const ContactPhase& phase, const ContactTolerance& tolerance);
+
+}  // namespace griffith

@@ -1,0 +1,129 @@
+#include <gtest/gtest.h>
+
+#include "tests/solver/rigid_contacts.h"
+
+namespace griffith {
+namespace {
+
+using testing::axes_of;
+using testing::change_at;
+using testing::kExact;
+using testing::on_floor;
+using testing::random_problem;
+using testing::RandomValues;
+
+/// Velocity of a contact after all impulses, along its axes [m/s].
+Vec3 velocity_after(std::span<const RigidInertia> bodies, std::span<const FrictionContact> contacts,
+                    const FrictionContact& contact) {
+  return contact.free_velocity +
+         contact.axes.transpose() * (change_at(bodies, contacts, contact.a) - change_at(bodies, contacts, contact.b));
+}
+
+/// Work of the impulses: what the bodies gained [J].
+double work_of(std::span<const RigidInertia> bodies, std::span<const FrictionContact> contacts) {
+  double work = 0;
+  for (const FrictionContact& contact : contacts)
+    work += contact.impulse.dot(contact.free_velocity + velocity_after(bodies, contacts, contact)) / 2;
+  return work;
+}
+
+TEST(ContactRebound, ABlockThatLandsFlatPartsAtItsSpeedOfRebound) {
+  const std::vector<RigidInertia> block = {{2, 0.3 * Mat3::Identity()}};
+  std::vector<FrictionContact> contacts;
+  for (const double x : {-0.5, 0.5})
+    for (const double z : {-0.5, 0.5}) {
+      contacts.push_back(on_floor(0, Vec3(x, -0.5, z), 0.4, Vec3(0, -3, 0)));
+      contacts.back().rebound = 1.2;
+    }
+  std::vector<NodeVectors> changes;
+  EXPECT_EQ(solve_contact_problem({}, block, contacts, kExact, changes).unconverged, 0);
+  for (const FrictionContact& contact : contacts)
+    EXPECT_NEAR((velocity_after(block, contacts, contact) - Vec3(1.2, 0, 0)).norm(), 0, 1e-6);
+}
+
+/// Contacts of a ball in a slot that fits it, as it hits one wall.
+std::vector<FrictionContact> in_a_slot() {
+  std::vector<FrictionContact> contacts(2);
+  for (const double side : {-1, 1}) {
+    FrictionContact& contact = contacts[side < 0 ? 0 : 1];
+    contact.a = {.body = 0, .arm = Vec3(0, side, 0)};
+    contact.axes = axes_of(-side * Vec3::UnitY());
+    contact.free_velocity = contact.axes.transpose() * Vec3(0, -3, 0);
+  }
+  contacts[0].rebound = 1.5;
+  return contacts;
+}
+
+TEST(ContactRebound, WhatIsHeldFromBehindDoesNotRebound) {
+  const std::vector<RigidInertia> ball = {{1, 0.4 * Mat3::Identity()}};
+  std::vector<FrictionContact> contacts = in_a_slot();
+  std::vector<NodeVectors> changes;
+  EXPECT_EQ(solve_contact_problem({}, ball, contacts, kExact, changes).unconverged, 0);
+  for (const FrictionContact& contact : contacts) EXPECT_NEAR(velocity_after(ball, contacts, contact)[0], 0, 1e-6);
+  EXPECT_NEAR(contacts[0].impulse[0], 3 * (1 + 0.5), 1e-5);
+  EXPECT_NEAR(contacts[1].impulse[0], 3 * 0.5, 1e-5);
+}
+
+// What pushes against each other moves nothing: taken as a guess of compression it would grow from solve to solve.
+TEST(ContactRebound, ImpulsesOfAnImpactThatIsSolvedAgainStay) {
+  const std::vector<RigidInertia> ball = {{1, 0.4 * Mat3::Identity()}};
+  std::vector<FrictionContact> contacts = in_a_slot();
+  std::vector<NodeVectors> changes;
+  for (int solve = 0; solve < 5; ++solve) {
+    EXPECT_EQ(solve_contact_problem({}, ball, contacts, kExact, changes).unconverged, 0);
+    EXPECT_NEAR(contacts[0].impulse[0], 3 * (1 + 0.5), 1e-5) << "solve " << solve;
+  }
+}
+
+TEST(ContactRebound, RandomImpactsConvergeAndAddNoEnergy) {
+  RandomValues random(5);
+  int solved = 0, rebounding = 0;
+  for (int trial = 0; trial < 100; ++trial) {
+    auto [bodies, contacts] = random_problem(random);
+    const double share = random.uniform(0, 1);
+    for (FrictionContact& contact : contacts) {
+      contact.target_velocity = 0;
+      contact.rebound = share * std::max(0.0, -contact.free_velocity[0]);
+    }
+    std::vector<NodeVectors> changes;
+    std::vector<FrictionContact> without = contacts;
+    for (FrictionContact& contact : without) contact.rebound = 0;
+    const bool is_hard = solve_contact_problem({}, bodies, without, kExact, changes).unconverged > 0;
+    const bool converged = solve_contact_problem({}, bodies, contacts, kExact, changes).unconverged == 0;
+    EXPECT_LE(work_of(bodies, contacts), 1e-9) << "trial " << trial;
+    if (is_hard) continue;  // with random normals friction may jam
+    ++solved;
+    EXPECT_TRUE(converged) << "trial " << trial;
+    if (!converged) continue;
+    for (const FrictionContact& contact : contacts) {
+      EXPECT_GE(velocity_after(bodies, contacts, contact)[0], -1e-5);
+      EXPECT_LE(contact.impulse.tail<2>().norm(), contact.friction * contact.impulse[0] + 1e-4);
+      rebounding += contact.given_back[0] > 0;
+    }
+  }
+  EXPECT_GT(solved, 60);
+  EXPECT_GT(rebounding, 100);
+}
+
+TEST(ContactRebound, WhatDoesNotConvergeAddsNoEnergy) {
+  RandomValues random(6);
+  int unconverged = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    auto [bodies, contacts] = random_problem(random);
+    for (FrictionContact& contact : contacts) {
+      contact.target_velocity = 0;
+      contact.rebound = random.uniform(0, 1) * std::max(0.0, -contact.free_velocity[0]);
+    }
+    ContactTolerance few = kExact;
+    few.max_rounds = 1 + trial % 12;
+    few.max_newton_steps = 1 + trial % 5;
+    std::vector<NodeVectors> changes;
+    if (solve_contact_problem({}, bodies, contacts, few, changes).unconverged == 0) continue;
+    ++unconverged;
+    EXPECT_LE(work_of(bodies, contacts), 1e-9) << "trial " << trial;
+  }
+  EXPECT_GT(unconverged, 50);
+}
+
+}  // namespace
+}  // namespace griffith
