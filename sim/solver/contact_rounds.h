@@ -16,8 +16,8 @@ struct ContactPhase {
 
 struct ContactOutcome {
   ContactSolveReport report;
-  std::vector<NodeVectors> changes;  ///< of velocities, per deformable body, one column a row [m/s]
-  Eigen::Matrix3Xd velocities;       ///< at the contacts, along their axes, at the end [m/s]
+  std::vector<NodeVectors> changes;  ///< change of velocity per deformable body, one column a row [m/s]
+  Eigen::Matrix3Xd velocities;       ///< final velocities at the contacts, along their axes [m/s]
 };
 
 /// Finds the impulses of a phase, which it writes to its contacts; see solve_contact_problem().
