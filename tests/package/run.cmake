@@ -6,22 +6,17 @@ macro(run)
   endif()
 endmacro()
 
-# Builds the project in `folder`, or its TARGET alone, against the package, with these arguments for CMake.
+# Builds the project in `folder` against the package, with these arguments for CMake.
 function(build_project folder build)
-  cmake_parse_arguments(ARG "" "TARGET" "" ${ARGN})
   file(REMOVE_RECURSE ${build})
   run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${folder} -B ${build} -DCMAKE_PREFIX_PATH=${PREFIX} -DCMAKE_CXX_COMPILER=${CXX}
-      ${ARG_UNPARSED_ARGUMENTS})
-  if(ARG_TARGET)
-    set(target --target ${ARG_TARGET})
-  endif()
-  run(${CMAKE_COMMAND} --build ${build} ${target})
+      ${ARGN})
+  run(${CMAKE_COMMAND} --build ${build})
 endfunction()
 
 # The program prints what the example prints when it has the flags of the library, and its wall breaks.
 function(expect_same_run program)
-  run(${EXPECTED})
-  set(expected "${output}")
+  file(READ ${WORK}/expected.txt expected)
   run(${program})
   if(NOT output STREQUAL expected)
     message(SEND_ERROR "${program} printed\n${output}instead of\n${expected}")
