@@ -123,10 +123,6 @@ std::vector<PieceSurface> piece_surfaces(const Frame& frame, std::span<const Ski
   return surfaces;
 }
 
-PieceSurface piece_surface(const Frame& frame, BodyId body, std::span<const Skin> skins) {
-  return piece_surfaces(frame, skins)[body];
-}
-
 void export_pieces(const std::filesystem::path& folder, const Frame& frame, const Shards& shards) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);

@@ -22,8 +22,6 @@ struct PieceSurface {
 /// the walls between them, or else the faces of their tets. Empty for a body whose tets own no splinter. `frame`:
 /// including the shards, if there are any.
 std::vector<PieceSurface> piece_surfaces(const Frame& frame, std::span<const Skin> skins = {});
-/// Returns the visible surface of one body.
-PieceSurface piece_surface(const Frame& frame, BodyId body, std::span<const Skin> skins = {});
 
 /// Returns only each body's parts of the skins.
 std::vector<PieceSurface> skin_surfaces(const Frame& frame, std::span<const Skin> skins);

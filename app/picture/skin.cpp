@@ -4,7 +4,7 @@
 #include <unordered_set>
 
 #include "app/picture/placed_surface.h"
-#include "sim/meshing/embedding.h"
+#include "sim/meshing/smooth_normals.h"
 #include "sim/meshing/tet_locator.h"
 #include "sim/splinters/convex_polyhedron.h"
 

@@ -1,6 +1,5 @@
 #include "sim/fracture/fracture_law.h"
 
-#include <algorithm>
 #include <array>
 
 #include "sim/elasticity/principal_stress.h"
@@ -83,13 +82,6 @@ void adopt(const FractureLaw& law, Material& material) {
     if (other.criterion == law.criterion && other.property && other.property != law.property)
       (material.*other.property).reset();
   if (law.property && !(material.*law.property)) material.*law.property = law.usual_ratio * material.*law.resistance;
-}
-
-std::vector<std::string_view> criterion_keys() {
-  std::vector<std::string_view> keys;
-  for (const FractureLaw& law : kLaws)
-    if (std::ranges::find(keys, law.key) == keys.end()) keys.push_back(law.key);
-  return keys;
 }
 
 }  // namespace griffith

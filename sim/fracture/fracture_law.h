@@ -2,7 +2,6 @@
 
 #include <span>
 #include <string_view>
-#include <vector>
 
 #include "sim/elasticity/material.h"
 #include "sim/fracture/separation_tensor.h"
@@ -44,7 +43,5 @@ std::span<const FractureLaw> fracture_laws();
 const FractureLaw& fracture_law(const Material& material);
 /// Makes a law that of a material. Gives it the usual value of the law's property if it has none.
 void adopt(const FractureLaw& law, Material& material);
-/// Returns the keys of the criteria, in the order of FractureCriterion.
-std::vector<std::string_view> criterion_keys();
 
 }  // namespace griffith

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "sim/mesh/tet_mesh.h"
@@ -65,10 +64,5 @@ struct SurfaceFace {
 
 /// Returns all faces without a neighbor, by tet, then face.
 std::vector<SurfaceFace> surface_faces(const TetMesh& mesh);
-
-/// Returns the violated invariants of a mesh, one sentence each, for tests: ids in range, volumes positive, links
-/// symmetric and across the same three nodes, equal faces linked, stars exact and ascending, no node without tets,
-/// every star connected by faces. Empty if all hold; stops after 20 findings.
-std::vector<std::string> check_invariants(const TetMesh& mesh);
 
 }  // namespace griffith

@@ -1,12 +1,18 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "sim/mesh/tet_mesh.h"
-#include "sim/meshing/embedding.h"
 #include "sim/meshing/triangle_tree.h"
 
 namespace griffith {
+
+/// Point that follows a tet: the weighted sum of its corners. The weights sum to 1; some are negative outside the tet.
+struct EmbeddedPoint {
+  int tet = -1;
+  std::array<double, 4> weights = {};
+};
 
 /// Search for the tet at a point: a grid of cells with their tets and, for points outside, a tree of the soup's
 /// surface.

@@ -243,8 +243,7 @@ TEST(Shards, OfASurfaceAreClosed) {
   const Scene scene = ball(0.01);
   const World start(scene);
   const Shards shards(start.frame(), scene);
-  const double all =
-      enclosed_volume(piece_surface(FrameWithShards(start.frame(), shards).frame(), BodyId(0), shards.skins()));
+  const double all = enclosed_volume(piece_surfaces(FrameWithShards(start.frame(), shards).frame(), shards.skins())[0]);
   const World world = broken(scene);
   const Frame frame = world.frame();
   const FrameWithShards sharded(frame, shards);

@@ -192,17 +192,17 @@ TEST(ExportPieces, AnIntactBodyEnclosesItsVolume) {
   Scene scene = bricks(1);
   scene.gravity.setZero();
   const World with(scene);
-  EXPECT_NEAR(enclosed_volume(piece_surface(with.frame(), BodyId(0))), 2, 1e-5);
+  EXPECT_NEAR(enclosed_volume(piece_surfaces(with.frame())[0]), 2, 1e-5);
   scene.bodies[0].splinters.reset();
   const World without(scene);
-  EXPECT_NEAR(enclosed_volume(piece_surface(without.frame(), BodyId(0))), 2, 1e-9);
+  EXPECT_NEAR(enclosed_volume(piece_surfaces(without.frame())[0]), 2, 1e-9);
 }
 
 TEST(ExportPieces, AnIntactSkinEnclosesTheSurfacesVolume) {
   Scene scene = cube_of_surface(1);
   scene.gravity.setZero();
   const World world(scene);
-  EXPECT_NEAR(enclosed_volume(piece_surface(world.frame(), BodyId(0), make_skins(world.frame(), scene))), 8, 1e-5);
+  EXPECT_NEAR(enclosed_volume(piece_surfaces(world.frame(), make_skins(world.frame(), scene))[0]), 8, 1e-5);
 }
 
 TEST(ExportPieces, PiecesShareOutTheBodyAndAreFiles) {
@@ -215,8 +215,7 @@ TEST(ExportPieces, PiecesShareOutTheBodyAndAreFiles) {
   export_pieces(folder, frame);
   double sum = 0;
   std::size_t files = 0;
-  for (const BodyView& body : frame.bodies) {
-    const PieceSurface surface = piece_surface(frame, body.id);
+  for (const PieceSurface& surface : piece_surfaces(frame)) {
     sum += enclosed_volume(surface);
     files += !surface.polygons.empty();
   }

@@ -10,6 +10,7 @@
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/read_mesh.h"
 #include "tests/irregular_soup.h"
+#include "tests/mesh/mesh_invariants.h"
 #include "tests/moving_mesh.h"
 
 namespace griffith {
@@ -95,7 +96,7 @@ TEST(Remesh, RandomAbuseKeepsEveryInvariant) {
       body.remesh(NodeId(random.index(body.mesh.node_count())), random.direction(), options);
       ASSERT_LE(conserved(body)[11], energy * (1 + 1e-12));
       if (i % 6 != 0 && tets > 1000) continue;
-      ASSERT_THAT(check_invariants(body.mesh), ::testing::IsEmpty()) << seed << ", " << i;
+      ASSERT_THAT(testing::check_invariants(body.mesh), ::testing::IsEmpty()) << seed << ", " << i;
     }
     EXPECT_LT((conserved(body) - before).head<8>().norm(), 1e-12 * before.norm()) << "mass, its center, momentum";
     EXPECT_GE(body.worst_quality(), quality);
@@ -168,7 +169,7 @@ TEST(Remesh, ACrackRunsThroughABoxAlongItsPlane) {
       EXPECT_EQ(pieces.size(), 2u);
       for (const auto& piece : pieces) EXPECT_LT(volume_across(body, piece, body.positions[start], normal), 1e-12);
       EXPECT_NEAR((surface_area(body) - surface) / 2, 1 / std::abs(normal.x()), 1e-9) << "the box is 1 m × 1 m across";
-      EXPECT_THAT(check_invariants(body.mesh), ::testing::IsEmpty());
+      EXPECT_THAT(testing::check_invariants(body.mesh), ::testing::IsEmpty());
     }
 }
 
@@ -181,7 +182,7 @@ TEST(Remesh, ThousandsOfCutsComeToAnEnd) {
       const NodeId node(random.index(body.mesh.node_count()));
       body.remesh(node, random.direction(), {.limits = limits});
     }
-    EXPECT_THAT(check_invariants(body.mesh), ::testing::IsEmpty());
+    EXPECT_THAT(testing::check_invariants(body.mesh), ::testing::IsEmpty());
     EXPECT_GE(body.worst_quality(), limits.min_quality);
     // No tet is smaller than one of the least quality with the shortest edges.
     const double min_volume = limits.min_quality * std::pow(limits.min_length, 3) / (6 * std::sqrt(2));
@@ -212,7 +213,7 @@ TEST(Remesh, WhereNothingMayBeCutItFollowsFaces) {
   EXPECT_EQ(body.mesh.tet_count(), tets);
   EXPECT_GT(body.mesh.node_count(), nodes) << "nodes are parted all the same";
   EXPECT_GT(refused, nodes / 2);
-  EXPECT_THAT(check_invariants(body.mesh), ::testing::IsEmpty());
+  EXPECT_THAT(testing::check_invariants(body.mesh), ::testing::IsEmpty());
 }
 
 }  // namespace

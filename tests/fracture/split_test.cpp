@@ -7,6 +7,7 @@
 
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/topology.h"
+#include "tests/mesh/mesh_invariants.h"
 #include "tests/moving_mesh.h"
 
 namespace griffith {
@@ -50,7 +51,7 @@ TEST(Split, RandomAbuseKeepsEveryInvariant) {
       const Eigen::VectorXd before = conserved(body);
       for (int i = 0; i < 60; ++i) {
         body.split(NodeId(random.index(body.mesh.node_count())), random.direction());
-        ASSERT_THAT(check_invariants(body.mesh), ::testing::IsEmpty()) << "seed " << seed << ", split " << i;
+        ASSERT_THAT(testing::check_invariants(body.mesh), ::testing::IsEmpty()) << "seed " << seed << ", split " << i;
         ASSERT_EQ(pieces_by_nodes(body.mesh), static_cast<int>(connected_components(body.mesh).size()));
       }
       EXPECT_LT((conserved(body) - before).norm(), 1e-10 * before.norm()) << "everything is left alone";
@@ -80,7 +81,7 @@ TEST(Split, DoesNothingWhenAllTetsLieOnOneSide) {
     EXPECT_TRUE(result.copies.empty());
     EXPECT_TRUE(result.changed_tets.empty());
   }
-  EXPECT_THAT(check_invariants(bar.mesh), ::testing::IsEmpty());
+  EXPECT_THAT(testing::check_invariants(bar.mesh), ::testing::IsEmpty());
 }
 
 TEST(Split, TheFirstCutLeavesACrackFrontAndTheNormalsSignDoesNotMatter) {

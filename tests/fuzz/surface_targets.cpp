@@ -11,6 +11,7 @@
 #include "tests/fuzz/mutate_soup.h"
 #include "tests/fuzz/small_scenes.h"
 #include "tests/fuzz/target.h"
+#include "tests/mesh/mesh_invariants.h"
 #include "tests/meshing/surfaces.h"
 
 namespace griffith::fuzz {
@@ -142,7 +143,7 @@ class SurfaceTarget : public Target {
     TetSoup soup = mesh_surface(std::move(surface), options, setup).soup;
     TetMesh checked;
     prepare(soup, "surface", &checked);
-    promise(check_invariants(checked).empty(), "the mesh of a surface is unsound");
+    promise(testing::check_invariants(checked).empty(), "the mesh of a surface is unsound");
     return Outcome::ran;
   }
 

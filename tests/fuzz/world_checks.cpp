@@ -8,6 +8,7 @@
 #include "sim/mesh/topology.h"
 #include "sim/world/world.h"
 #include "tests/fuzz/target.h"
+#include "tests/mesh/mesh_invariants.h"
 
 namespace griffith::fuzz {
 namespace {
@@ -146,7 +147,7 @@ void check_mesh(const Frame& frame) {
                         {frame.elements.tets.begin(), frame.elements.tets.end()},
                         {frame.elements.neighbors.begin(), frame.elements.neighbors.end()},
                         {frame.nodes.stars.begin(), frame.nodes.stars.end()}};
-  const std::vector<std::string> faults = check_invariants(mesh);
+  const std::vector<std::string> faults = testing::check_invariants(mesh);
   promise(faults.empty(), "the mesh is unsound: " + (faults.empty() ? "" : faults.front()));
 }
 

@@ -6,6 +6,7 @@
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/mesh_report.h"
 #include "tests/irregular_soup.h"
+#include "tests/mesh/mesh_invariants.h"
 #include "tests/moving_mesh.h"
 
 namespace griffith {
@@ -59,9 +60,9 @@ TEST(Bisect, RandomAbuseKeepsTheMeshAndWhatItShouldConserve) {
       ASSERT_LT((conserved(body) - expected).norm(), 1e-12 * before.norm()) << "bisection " << i;
       ASSERT_LE(conserved(body)[11], before[11]);
       if (i % 20 != 0) continue;
-      ASSERT_THAT(check_invariants(body.mesh), ::testing::IsEmpty()) << "bisection " << i;
+      ASSERT_THAT(testing::check_invariants(body.mesh), ::testing::IsEmpty()) << "bisection " << i;
     }
-    EXPECT_THAT(check_invariants(body.mesh), ::testing::IsEmpty());
+    EXPECT_THAT(testing::check_invariants(body.mesh), ::testing::IsEmpty());
   }
 }
 
@@ -148,7 +149,7 @@ TEST(Bisect, LimitsAreKept) {
   }
   EXPECT_GT(made, 100);
   EXPECT_GT(refused, 10 * made) << "bisection has come to its end";
-  EXPECT_THAT(check_invariants(body.mesh), ::testing::IsEmpty());
+  EXPECT_THAT(testing::check_invariants(body.mesh), ::testing::IsEmpty());
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "sim/core/error.h"
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/topology.h"
+#include "tests/mesh/mesh_invariants.h"
 #include "tests/mesh/pattern_name.h"
 
 namespace griffith {
@@ -35,7 +36,7 @@ TEST_P(BoxTest, FillsTheBoxWithConformingPositiveTets) {
     TetSoup soup = make_box(size, size.cwiseQuotient(cells), GetParam());
     const MeshReport report = prepare(soup);
     const TetMesh mesh = build_mesh(soup);
-    EXPECT_THAT(check_invariants(mesh), ::testing::IsEmpty());
+    EXPECT_THAT(testing::check_invariants(mesh), ::testing::IsEmpty());
     EXPECT_THAT(findings(report), ::testing::IsEmpty());
     EXPECT_NEAR(report.volume, size.prod(), 1e-12 * size.prod());
     const double area = 2 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x());

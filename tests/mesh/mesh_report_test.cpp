@@ -10,6 +10,7 @@
 #include "sim/mesh/read_mesh.h"
 #include "sim/mesh/topology.h"
 #include "tests/input_error_of.h"
+#include "tests/mesh/mesh_invariants.h"
 #include "tests/random_values.h"
 
 namespace griffith {
@@ -89,7 +90,7 @@ TEST(PrepareTest, RepairsRandomlySpoiltMeshesToTheSameShape) {
     EXPECT_EQ(report.removed_nodes, unused);
     EXPECT_EQ(soup.points, original.points);
     EXPECT_NEAR(report.volume, 4, 1e-12);
-    EXPECT_THAT(check_invariants(build_mesh(soup)), IsEmpty());
+    EXPECT_THAT(testing::check_invariants(build_mesh(soup)), IsEmpty());
     ASSERT_EQ(report.point_of_node.size(), soup.points.size());
     for (std::size_t node = 0; node < soup.points.size(); ++node)
       EXPECT_EQ(soup.points[node], spoilt.points[report.point_of_node[node]]);
@@ -108,7 +109,7 @@ TEST(PrepareTest, PartsWhatMeetsInANodeOrAnEdgeAlone) {
     EXPECT_EQ(report.pieces, 2);
     EXPECT_EQ(report.coincident_nodes, 0) << "those of the file alone";
     EXPECT_EQ(report.nodes, static_cast<int>(read.points.size()) - (shared == 2) + shared);
-    EXPECT_THAT(check_invariants(mesh), IsEmpty());
+    EXPECT_THAT(testing::check_invariants(mesh), IsEmpty());
     EXPECT_THAT(findings(report),
                 Contains(HasSubstr(std::to_string(shared) + " nodes joined parts that share no face")));
     for (std::size_t node = 0; node < soup.points.size(); ++node)
@@ -128,7 +129,7 @@ TEST(PrepareTest, MakesAMeshOfAnyOfALatticesTets) {
     if (soup.tets.empty()) continue;
     TetMesh mesh;
     const MeshReport report = prepare(soup, "mesh", &mesh);
-    EXPECT_THAT(check_invariants(mesh), IsEmpty()) << "round " << round;
+    EXPECT_THAT(testing::check_invariants(mesh), IsEmpty()) << "round " << round;
     parted += report.pinched_nodes;
     still_pinched += report.pinched_edges;
   }
@@ -197,7 +198,7 @@ TEST_P(SceneMeshTest, IsReadAndPrepared) {
   const MeshReport report = prepare(soup, path.string());
   RecordProperty("findings", ::testing::PrintToString(findings(report)));
   EXPECT_EQ(report.pinched_nodes, 0);
-  EXPECT_THAT(check_invariants(build_mesh(soup)), IsEmpty());
+  EXPECT_THAT(testing::check_invariants(build_mesh(soup)), IsEmpty());
   EXPECT_GT(report.volume, 0);
   EXPECT_EQ(report.pieces, 1);
 }

@@ -13,6 +13,7 @@
 #include "sim/mesh/write_mesh.h"
 #include "tests/input_error_of.h"
 #include "tests/mesh/cell_files.h"
+#include "tests/mesh/mesh_invariants.h"
 #include "tests/mesh/sample_files.h"
 #include "tests/random_values.h"
 
@@ -221,7 +222,7 @@ void read_and_check(const std::filesystem::path& path, int& readable) {
     TetSoup soup = read_mesh(path);
     TetMesh mesh;
     prepare(soup, "mesh", &mesh);
-    EXPECT_THAT(check_invariants(mesh), ::testing::IsEmpty());
+    EXPECT_THAT(testing::check_invariants(mesh), ::testing::IsEmpty());
     ++readable;
   } catch (const InputError& error) {
     EXPECT_FALSE(error.where().empty() || error.problem().empty()) << error.what();

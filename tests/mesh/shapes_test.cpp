@@ -10,6 +10,7 @@
 #include "sim/core/error.h"
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/topology.h"
+#include "tests/mesh/mesh_invariants.h"
 #include "tests/mesh/pattern_name.h"
 
 namespace griffith {
@@ -25,7 +26,7 @@ class ShapeTest : public ::testing::TestWithParam<BoxPattern> {
     for (const auto& [a, b, c, d] : soup.tets)
       EXPECT_GT(signed_volume(soup.points[a], soup.points[b], soup.points[c], soup.points[d]), 0);
     const MeshReport report = prepare(soup);
-    EXPECT_THAT(check_invariants(build_mesh(soup)), IsEmpty());
+    EXPECT_THAT(testing::check_invariants(build_mesh(soup)), IsEmpty());
     EXPECT_EQ(report.pieces, 1);
     EXPECT_EQ(report.slivers, 0) << "worst quality " << report.worst_quality;
     EXPECT_EQ(report.removed_nodes + report.removed_tets + report.reoriented_tets + report.overlapping_faces, 0);

@@ -8,6 +8,7 @@
 #include "sim/mesh/topology.h"
 #include "tests/input_error_of.h"
 #include "tests/mesh/cell_files.h"
+#include "tests/mesh/mesh_invariants.h"
 
 namespace griffith {
 namespace {
@@ -66,7 +67,7 @@ TEST(SplitCells, FillsTheVolumeAndMatchesAtFaces) {
       EXPECT_EQ(result.report.reoriented_tets, 0);
       EXPECT_EQ(result.report.pieces, 1);
       EXPECT_EQ(surface_faces(result.mesh).size(), 12u * n * n);
-      EXPECT_THAT(check_invariants(result.mesh), IsEmpty());
+      EXPECT_THAT(testing::check_invariants(result.mesh), IsEmpty());
       EXPECT_GT(result.report.worst_quality, 0.02);
     }
 }

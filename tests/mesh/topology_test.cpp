@@ -8,6 +8,7 @@
 
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/mesh_report.h"
+#include "tests/mesh/mesh_invariants.h"
 #include "tests/random_values.h"
 
 namespace griffith {
@@ -37,7 +38,7 @@ TEST(TopologyTest, DoesNotDependOnTheNumbering) {
   for (std::size_t t = 0; t < soup.tets.size(); ++t)
     for (int c = 0; c < 4; ++c) other.tets[tet_of[t]][c] = node_of[soup.tets[t][c]];
   const TetMesh renumbered = build_mesh(other);
-  EXPECT_THAT(check_invariants(renumbered), IsEmpty());
+  EXPECT_THAT(testing::check_invariants(renumbered), IsEmpty());
   for (int t = 0; t < mesh.tet_count(); ++t)
     for (int face = 0; face < 4; ++face) {
       const TetId neighbor = mesh.neighbors[t][face];
@@ -51,7 +52,7 @@ TEST(TopologyTest, AppendKeepsWhatWasThereAndLinksNothingToIt) {
   const AppendedRange range = append(mesh, before);
   EXPECT_EQ(range.first_node.index(), before.node_count());
   EXPECT_EQ(range.first_tet.index(), before.tet_count());
-  EXPECT_THAT(check_invariants(mesh), IsEmpty());
+  EXPECT_THAT(testing::check_invariants(mesh), IsEmpty());
   for (int t = 0; t < before.tet_count(); ++t) EXPECT_EQ(mesh.neighbors[t], before.neighbors[t]);
   const auto pieces = connected_components(mesh);
   ASSERT_EQ(pieces.size(), 2u);
@@ -102,7 +103,7 @@ TEST(TopologyTest, LocalCornerInvertsTheCornerList) {
 
 TEST(InvariantsTest, NoticeEverySingleDamage) {
   const TetMesh good = box_mesh();
-  ASSERT_THAT(check_invariants(good), IsEmpty());
+  ASSERT_THAT(testing::check_invariants(good), IsEmpty());
   RandomValues random(2);
   for (int round = 0; round < 200; ++round) {
     TetMesh bad = good;
@@ -128,7 +129,7 @@ TEST(InvariantsTest, NoticeEverySingleDamage) {
         bad.stars.emplace_back();
         break;
     }
-    EXPECT_THAT(check_invariants(bad), ::testing::Not(IsEmpty())) << "round " << round;
+    EXPECT_THAT(testing::check_invariants(bad), ::testing::Not(IsEmpty())) << "round " << round;
   }
 }
 

@@ -9,6 +9,7 @@
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/topology.h"
 #include "sim/meshing/mesh_quality.h"
+#include "tests/mesh/mesh_invariants.h"
 
 namespace griffith {
 namespace {
@@ -94,7 +95,7 @@ TEST(IsosurfaceStuffing, EveryTetIsPositiveAndFacesMatch) {
   EXPECT_EQ(report.removed_tets, 0);
   EXPECT_EQ(report.overlapping_faces, 0);
   EXPECT_EQ(report.pinched_nodes + report.pinched_edges, 0);
-  EXPECT_TRUE(check_invariants(build_mesh(soup)).empty());
+  EXPECT_TRUE(testing::check_invariants(build_mesh(soup)).empty());
   // No face inside: all free faces lie on the border.
   const TetMesh mesh = build_mesh(soup);
   for (const SurfaceFace& face : surface_faces(mesh))
@@ -113,7 +114,7 @@ TEST(IsosurfaceStuffing, GradingKeepsTheSurfaceAndSavesElements) {
     for (const auto& [a, b, c, d] : soup.tets)
       EXPECT_GT(signed_volume(soup.points[a], soup.points[b], soup.points[c], soup.points[d]), 0);
     prepare(soup);
-    EXPECT_TRUE(check_invariants(build_mesh(soup)).empty());
+    EXPECT_TRUE(testing::check_invariants(build_mesh(soup)).empty());
     return mesh_quality(soup);
   };
   const MeshQuality even = graded(0);

@@ -16,6 +16,7 @@
 #include "sim/meshing/mesh_cache.h"
 #include "sim/meshing/mesh_quality.h"
 #include "surfaces.h"
+#include "tests/mesh/mesh_invariants.h"
 
 namespace griffith {
 namespace {

@@ -1,9 +1,11 @@
+#include "tests/mesh/mesh_invariants.h"
+
 #include <algorithm>
 #include <map>
 
 #include "sim/mesh/topology.h"
 
-namespace griffith {
+namespace griffith::testing {
 namespace {
 
 constexpr std::size_t kMaxFindings = 20;
@@ -77,4 +79,4 @@ std::vector<std::string> check_invariants(const TetMesh& mesh) {
   return findings.list;
 }
 
-}  // namespace griffith
+}  // namespace griffith::testing
