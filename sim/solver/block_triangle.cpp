@@ -1,6 +1,6 @@
 #include "sim/solver/block_triangle.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 
 namespace griffith {

@@ -1,7 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 
+#include "sim/core/parallel.h"
 #include "sim/core/rotation.h"
 #include "sim/elasticity/quadratic_element.h"
 #include "sim/solver/conjugate_gradient.h"

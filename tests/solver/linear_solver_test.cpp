@@ -1,7 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 
+#include "sim/core/dense_algebra.h"
 #include "sim/solver/aggregates.h"
 #include "tests/random_values.h"
 #include "tests/solver/elastic_box.h"
@@ -32,7 +33,7 @@ TEST(SystemMatrix, IsSymmetricPositiveDefinite) {
   body.assemble(system, {.dt = 0.01, .stiffness_damping = 1e-3});
   const Eigen::MatrixXd a = dense(system.matrix());
   EXPECT_LT((a - a.transpose()).norm(), 1e-12 * a.norm());
-  EXPECT_GT(a.selfadjointView<Eigen::Lower>().eigenvalues()[0], 0);
+  EXPECT_GT(symmetric_modes(a).values[0], 0);
 }
 
 TEST(SystemMatrix, StiffnessIgnoresRigidMotion) {
@@ -79,7 +80,7 @@ TEST(ConjugateGradient, AgreesWithADenseSolve) {
       conjugate_gradient(system.matrix(), preconditioner, b, x, 1e-12, std::sqrt(dot(b, b)), 500);
   EXPECT_TRUE(report.converged);
   const Eigen::VectorXd exact =
-      dense(system.matrix()).ldlt().solve(Eigen::Map<const Eigen::VectorXd>(b.data(), b.size()));
+      dense(system.matrix()).llt().solve(Eigen::Map<const Eigen::VectorXd>(b.data(), b.size()));
   EXPECT_LT((Eigen::Map<const Eigen::VectorXd>(x.data(), x.size()) - exact).norm(), 1e-9 * exact.norm());
 }
 

@@ -107,7 +107,7 @@ struct HeldBlock {
       if (is_held(NodeId(i))) hold(i);
     for (int i = 0; i < topology.edge_count(); ++i)
       if (is_held(topology.ends[i][0]) && is_held(topology.ends[i][1])) hold(nodes + i);
-    const Eigen::VectorXd solution = stiffness.ldlt().solve(loads);
+    const Eigen::VectorXd solution = stiffness.llt().solve(loads);
     return solution.reshaped(3, count);
   }
 };

@@ -1,9 +1,9 @@
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 
+#include "sim/core/dense_algebra.h"
 #include "sim/solver/explicit_step.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/motion/elastic_phase.h"
@@ -53,9 +53,8 @@ Modes modes_of(const LinearSystem& linear) {
   const Eigen::VectorXd roots = linear.masses.cwiseSqrt().cwiseInverse();
   Eigen::VectorXd scale(3 * roots.size());
   for (int i = 0; i < scale.size(); ++i) scale[i] = roots[i / 3];
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * linear.stiffness *
-                                                             scale.asDiagonal());
-  return {eigen.eigenvalues().cwiseMax(0).cwiseSqrt(), scale.asDiagonal() * eigen.eigenvectors()};
+  const SymmetricModes modes = symmetric_modes(scale.asDiagonal() * linear.stiffness * scale.asDiagonal());
+  return {modes.values.cwiseMax(0).cwiseSqrt(), scale.asDiagonal() * modes.vectors};
 }
 
 /// Displacements and velocities of the rows of a linear system, as vectors.
