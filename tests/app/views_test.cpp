@@ -66,6 +66,7 @@ class ViewsTest : public ::testing::Test {
     renderer_.reset();
     context_.reset();
   }
+  void SetUp() override { scene_.view.quality = PictureQuality::draft; }  // shows the same in a fraction of the time
 
   static render::DrawScene drawn(const World& world, const std::string& names) {
     const Frame frame = world.frame();
@@ -167,6 +168,7 @@ TEST_F(ViewsTest, TheDeformationIsMagnifiedAsTheNameSays) {
 }
 
 TEST_F(ViewsTest, NothingOfAViewInfluencesAnother) {
+  scene_.view.quality = PictureQuality::standard;  // with all passes of the renderer
   const render::Image before = picture(*struck_, "utilization");
   for (const ViewLayerInfo& layer : view_layers()) picture(*struck_, std::string(layer.key) + "+slice");
   EXPECT_EQ(picture(*struck_, "utilization"), before);
