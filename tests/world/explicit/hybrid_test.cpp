@@ -143,8 +143,8 @@ Scene struck_wall(Integrator integrator, int shot_number) {
 TEST(Hybrid, AWallThatTearsOffItsFootBreaksAsInExplicitSteps) {
   double hybrid = 0, explicitly = 0;
   for (int shot = 0; shot < 3; ++shot) {
-    hybrid += damage_of(struck_wall(Integrator::hybrid, shot), 0.036).area;
-    explicitly += damage_of(struck_wall(Integrator::explicit_, shot), 0.036).area;
+    hybrid += damage_of(struck_wall(Integrator::hybrid, shot), 0.016).area;
+    explicitly += damage_of(struck_wall(Integrator::explicit_, shot), 0.016).area;
   }
   EXPECT_GT(hybrid, 0.7 * explicitly);
   EXPECT_LT(hybrid, 1.3 * explicitly);

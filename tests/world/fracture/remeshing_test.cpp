@@ -282,7 +282,7 @@ TEST(Remeshing, LoadsStayOnTheirMaterial) {
   World world(scene);
   const std::size_t tets = world.frame().elements.tets.size();
   const double half_mass = world.frame().totals.mass / 2;
-  const int steps = 30;
+  const int steps = 15;
   for (int step = 0; step < steps; ++step) world.step();
   EXPECT_GT(world.frame().elements.tets.size(), tets);
   EXPECT_GT(world.frame().fragments, 0);

@@ -104,7 +104,7 @@ TEST(PublishedFrame, CrackFacesAndNoOthersHaveTheTimeTheyWereOpened) {
   for (const bool remeshing : {false, true}) {
     scene.bodies[0].remeshing = remeshing;
     World world(scene);
-    for (int step = 0; step < 30; ++step) world.step();
+    for (int step = 0; step < 16; ++step) world.step();
     const Frame frame = world.frame();
     int opened = 0;
     for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet) {
