@@ -15,6 +15,8 @@ enum Side : signed char { kInside = -1, kOn = 0, kOutside = 1 };
 class Cut {
  public:
   Cut(ConvexPolyhedron& polyhedron, const HalfSpace& inside, double tolerance) : polyhedron_(polyhedron) {
+    const std::size_t most = 2 * polyhedron.corners.size();  // room for crossings
+    distances_.reserve(most), sides_.reserve(most), polyhedron.corners.reserve(most);
     for (const Vec3& corner : polyhedron.corners) {
       const double distance = inside.distance(corner);
       distances_.push_back(distance);
@@ -33,6 +35,7 @@ class Cut {
 
   void trim(PolyhedronFace& face) {
     std::vector<int> kept;
+    kept.reserve(face.corners.size() + 1);
     for (std::size_t i = 0; i < face.corners.size(); ++i) {
       const int corner = face.corners[i], next = face.corners[(i + 1) % face.corners.size()];
       if (sides_[corner] != kOutside) kept.push_back(corner);
@@ -93,6 +96,8 @@ ConvexPolyhedron tet_polyhedron(const std::array<Vec3, 4>& corners) {
 }
 
 void clip(ConvexPolyhedron& polyhedron, const HalfSpace& inside, int wall, double tolerance) {
+  const auto is_inside = [&](const Vec3& corner) { return inside.distance(corner) < -tolerance; };
+  if (std::ranges::all_of(polyhedron.corners, is_inside)) return;  // as behind most walls
   Cut cut(polyhedron, inside, tolerance);
   if (!cut.reaches(kInside)) return polyhedron.faces.clear();
   bool capped = false;
