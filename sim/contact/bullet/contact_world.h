@@ -235,7 +235,8 @@ struct ContactWorld::Impl : contact::ContactState {
   void update_allowances();
   double allowance(ProxyId a, ProxyId b) const;
   double closing_speed(const contact::Pair& pair, const Contact& contact) const;
-  bool is_near(const contact::Pair& pair, const Contact& contact, double dt);
+  bool closes(const contact::Pair& pair, const Contact& contact, double dt) const;
+  bool is_near(const contact::Pair& pair, const Contact& contact, double dt) const;
   void wake_disturbed(double dt);
   void list_contacts(double dt);
   void list_pair(std::span<const contact::Pair> of_pair, double dt);

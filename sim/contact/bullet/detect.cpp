@@ -151,6 +151,7 @@ void ContactWorld::Impl::list_pair(std::span<const Pair> of_pair, double dt) {
       const Contact& contact = found[i];
       if (!(contact.distance < overlap) && !is_near(pair, contact, dt)) {
         manifold.points[i].force.setZero();
+        if (closes(pair, contact, dt)) scratch.unlisted[pair.a] = scratch.unlisted[pair.b] = true;
         continue;
       }
       contacts.push_back(contact);
@@ -177,16 +178,17 @@ double ContactWorld::Impl::closing_speed(const Pair& pair, const Contact& contac
   return std::max({of_a + of_b, of_a, of_b});
 }
 
-/// True if a gap is small or closes within `dt` [s]. Approaches that could cause damage are left out and noted: the
-/// owner predicts these itself.
-bool ContactWorld::Impl::is_near(const Pair& pair, const Contact& contact, double dt) {
+/// True if a gap closes within `dt` [s] unless something else stops the two.
+bool ContactWorld::Impl::closes(const Pair& pair, const Contact& contact, double dt) const {
+  return contact.distance < dt * with_fall(closing_speed(pair, contact), dt);
+}
+
+/// True if a gap is small or closes within `dt` [s], except for approaches that could cause damage: the owner predicts
+/// these itself.
+bool ContactWorld::Impl::is_near(const Pair& pair, const Contact& contact, double dt) const {
   const Object &a = objects[pair.a], &b = objects[pair.b];
   if (contact.distance < reach(a, b, 0)) return true;
-  const double speed = closing_speed(pair, contact);
-  if (contact.distance >= dt * with_fall(speed, dt)) return false;
-  if (speed < std::min(a.impact_speed, b.impact_speed)) return true;
-  scratch.unlisted[pair.a] = scratch.unlisted[pair.b] = true;
-  return false;
+  return closes(pair, contact, dt) && closing_speed(pair, contact) < std::min(a.impact_speed, b.impact_speed);
 }
 
 void ContactWorld::Impl::replace_contacts(const std::vector<bool>& taken_out, std::span<const Contact> put_in) {
