@@ -113,7 +113,8 @@ void ContactWorld::Impl::wake_disturbed(double dt) {
     if (disturber.still_time > 0 && disturber.speed() <= quiet_speed(objects[sleeper])) continue;
     const Manifold& manifold = manifolds[pair.manifold];
     const auto near = [&](const Manifold::Point& point) {
-      return is_near(pair, contact_at(pair, manifold, point, objects[pair.a].place, objects[pair.b].place), dt);
+      const Contact contact = contact_at(pair, manifold, point, objects[pair.a].place, objects[pair.b].place);
+      return nearness_of(pair, contact, dt) == Nearness::near;
     };
     if (std::ranges::any_of(manifold.listed(), near)) wake_up(ProxyId(sleeper));
   }

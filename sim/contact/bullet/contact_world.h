@@ -235,8 +235,8 @@ struct ContactWorld::Impl : contact::ContactState {
   void update_allowances();
   double allowance(ProxyId a, ProxyId b) const;
   double closing_speed(const contact::Pair& pair, const Contact& contact) const;
-  bool closes(const contact::Pair& pair, const Contact& contact, double dt) const;
-  bool is_near(const contact::Pair& pair, const Contact& contact, double dt) const;
+  enum class Nearness { away, near, left_out };
+  Nearness nearness_of(const contact::Pair& pair, const Contact& contact, double dt) const;
   void wake_disturbed(double dt);
   void list_contacts(double dt);
   void list_pair(std::span<const contact::Pair> of_pair, double dt);

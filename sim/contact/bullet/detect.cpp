@@ -149,9 +149,10 @@ void ContactWorld::Impl::list_pair(std::span<const Pair> of_pair, double dt) {
     }
     for (int i = 0; i < pair.count; ++i) {
       const Contact& contact = found[i];
-      if (!(contact.distance < overlap) && !is_near(pair, contact, dt)) {
+      const Nearness nearness = contact.distance < overlap ? Nearness::near : nearness_of(pair, contact, dt);
+      if (nearness != Nearness::near) {
         manifold.points[i].force.setZero();
-        if (closes(pair, contact, dt)) scratch.unlisted[pair.a] = scratch.unlisted[pair.b] = true;
+        if (nearness == Nearness::left_out) scratch.unlisted[pair.a] = scratch.unlisted[pair.b] = true;
         continue;
       }
       contacts.push_back(contact);
@@ -178,17 +179,15 @@ double ContactWorld::Impl::closing_speed(const Pair& pair, const Contact& contac
   return std::max({of_a + of_b, of_a, of_b});
 }
 
-/// True if a gap closes within `dt` [s] unless something else stops the two.
-bool ContactWorld::Impl::closes(const Pair& pair, const Contact& contact, double dt) const {
-  return contact.distance < dt * with_fall(closing_speed(pair, contact), dt);
-}
-
-/// True if a gap is small or closes within `dt` [s], except for approaches that could cause damage: the owner predicts
-/// these itself.
-bool ContactWorld::Impl::is_near(const Pair& pair, const Contact& contact, double dt) const {
+/// Returns `near` for a gap that is small or closes within `dt` [s]. Approaches that could cause damage are left out:
+/// the owner predicts these itself.
+ContactWorld::Impl::Nearness ContactWorld::Impl::nearness_of(const Pair& pair, const Contact& contact,
+                                                             double dt) const {
   const Object &a = objects[pair.a], &b = objects[pair.b];
-  if (contact.distance < reach(a, b, 0)) return true;
-  return closes(pair, contact, dt) && closing_speed(pair, contact) < std::min(a.impact_speed, b.impact_speed);
+  if (contact.distance < reach(a, b, 0)) return Nearness::near;
+  const double speed = closing_speed(pair, contact);
+  if (contact.distance >= dt * with_fall(speed, dt)) return Nearness::away;
+  return speed < std::min(a.impact_speed, b.impact_speed) ? Nearness::near : Nearness::left_out;
 }
 
 void ContactWorld::Impl::replace_contacts(const std::vector<bool>& taken_out, std::span<const Contact> put_in) {
