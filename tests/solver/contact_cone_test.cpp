@@ -19,6 +19,10 @@ TEST(ContactCone, ProjectsOntoTheNearestImpulse) {
     const ConeProjection found = project_on_cone(asked, friction, least);
     EXPECT_GE(found.impulse[0], least);
     EXPECT_LE(found.impulse.tail<2>().norm(), friction * found.impulse[0] + 1e-12);
+    if (least == 0) {
+      EXPECT_NEAR(found.impulse.dot(asked - found.impulse), 0, 1e-12);
+      EXPECT_TRUE(project_on_cone(found.impulse * (1 - 1e-12), friction).impulse.isApprox(found.impulse, 1e-9));
+    }
     EXPECT_TRUE(project_on_cone(found.impulse, friction, least).impulse.isApprox(found.impulse, 1e-9));
     for (int k = 0; k < 20; ++k) {
       const double normal = random.uniform(least, 2), angle = random.uniform(0, 6.28);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <Eigen/LU>
 #include <cmath>
 #include <span>
@@ -45,6 +47,21 @@ inline Vec3 change_at(std::span<const RigidInertia> bodies, std::span<const Fric
   return force / body.mass + (body.inertia.inverse() * torque).cross(side.arm);
 }
 
+/// Velocity of a contact after all impulses, along its axes [m/s].
+inline Vec3 velocity_after(std::span<const RigidInertia> bodies, std::span<const FrictionContact> contacts,
+                           const FrictionContact& contact) {
+  return contact.free_velocity +
+         contact.axes.transpose() * (change_at(bodies, contacts, contact.a) - change_at(bodies, contacts, contact.b));
+}
+
+/// Work of the impulses: what the bodies gained [J].
+inline double work_of(std::span<const RigidInertia> bodies, std::span<const FrictionContact> contacts) {
+  double work = 0;
+  for (const FrictionContact& contact : contacts)
+    work += contact.impulse.dot(contact.free_velocity + velocity_after(bodies, contacts, contact)) / 2;
+  return work;
+}
+
 struct RigidProblem {
   std::vector<RigidInertia> bodies;
   std::vector<FrictionContact> contacts;
@@ -70,6 +87,26 @@ inline RigidProblem random_problem(RandomValues& random) {
     contact.target_velocity = random.index(2) == 0 ? 0 : -random.uniform(0, 1);
   }
   return problem;
+}
+
+/// Expects that few rounds and Newton steps, which leave random problems unsolved, add no energy. `complete` is called
+/// with the random values and the contacts of each problem.
+template <class Complete>
+void expect_no_energy_of_few_rounds(int seed, const Complete& complete) {
+  RandomValues random(seed);
+  int unconverged = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    auto [bodies, contacts] = random_problem(random);
+    complete(random, contacts);
+    ContactTolerance few = kExact;
+    few.max_rounds = 1 + trial % 12;
+    few.max_newton_steps = 1 + trial % 5;
+    std::vector<NodeVectors> changes;
+    if (solve_contact_problem({}, bodies, contacts, few, changes).unconverged == 0) continue;
+    ++unconverged;
+    EXPECT_LE(work_of(bodies, contacts), 1e-9) << "trial " << trial;
+  }
+  EXPECT_GT(unconverged, 50);
 }
 
 }  // namespace griffith::testing
