@@ -36,8 +36,10 @@ double ContactWorld::Impl::quiet_speed(const Object& object) const {
   return kQuietFraction * std::sqrt(gravity.norm() * object.shape.radius);
 }
 
-/// Reduces the spin of rolling or rocking objects by each contact; through friction, their speed follows.
+/// Reduces the spin of rolling or rocking objects by each contact; through friction, their speed follows. In this
+/// substep they still turn as they move.
 void ContactWorld::Impl::resist_rolling() {
+  for (Object& object : objects) object.spin_taken.setZero();
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact& contact = contacts[i];
     const double pushing = contact.normal.dot(contact.impulse);
@@ -61,8 +63,13 @@ void ContactWorld::Impl::resist_rolling(const Contact& contact, double limit) {
   const Vec3 axis = spin.normalized();
   const double stopping = spin.norm() / axis.dot(mobility * axis);
   const Vec3 impulse = std::min(limit, stopping) * axis;
-  a.state.angular_velocity -= spin_mobility(a) * impulse;
-  b.state.angular_velocity += spin_mobility(b) * impulse;
+  const auto change = [&](Object& object, double side) {
+    const Vec3 taken = side * (spin_mobility(object) * impulse);
+    object.state.angular_velocity -= taken;
+    object.spin_taken += taken;
+  };
+  change(a, 1);
+  change(b, -1);
 }
 
 /// Puts objects to sleep that have been still for long enough, like all their neighbors.

@@ -54,7 +54,8 @@ struct alignas(64) Object {
   RigidState state = {};         ///< as its owner set it or, after advance(), with the solved velocities
   SurfaceProperties surface = {};
   Vec3 first_velocity = Vec3::Zero(), first_spin = Vec3::Zero();  ///< velocities at the start of the substep
-  Mat3 inverse_inertia = Mat3::Zero();                            ///< in its own frame
+  Vec3 spin_taken = Vec3::Zero();       ///< by rolling resistance, from the spin with which it turned [rad/s]
+  Mat3 inverse_inertia = Mat3::Zero();  ///< in its own frame
   ContactWorld::Correction correction = {};
   Vec3 pushed_out = Vec3::Zero();  ///< projectiles: the correction that the last advance() made [m]
   Pose resting_place = {};         ///< place that it has hardly left

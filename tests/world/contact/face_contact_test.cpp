@@ -10,6 +10,7 @@
 #include "sim/world/world.h"
 #include "tests/contact/bounces.h"
 #include "tests/world/contact/contact_case.h"
+#include "tests/world/contact/contact_scenes.h"
 #include "tests/world/measures.h"
 
 namespace griffith {
@@ -229,6 +230,32 @@ TEST(RollingBall, ComesToRestWhereItsResistanceSaysAndSleeps) {
           << speed << " m/s, time step " << time_step;
       EXPECT_EQ(world.frame().projectiles[0].velocity.norm(), 0) << speed << " m/s, time step " << time_step;
     }
+}
+
+// On a slab that its weight deforms, contacts are solved with the slab. A ball that no longer slides turns as far there
+// as it moves, whatever spin its resistance takes.
+TEST(RollingBall, TurnsAsFarAsItMovesOnASoftSlab) {
+  for (double time_step : {1.0 / 30, 1.0 / 120}) {
+    Scene scene = ball(Vec3(-1, 0.3, 0), 1, 0, time_step);
+    BodyDescription& slab = scene.bodies.emplace_back();
+    slab.shape = BoxShape{Vec3(3, 0.2, 0.6), Vec3::Constant(0.2), BoxPattern::five_tet};
+    slab.position = Vec3(0, 0.1, 0);
+    slab.material = testing::unbreakable(concrete());
+    slab.material.young_modulus = 3e7;
+    World world(scene);
+    world.step();
+    const auto view = [&] { return world.frame().projectiles[0]; };
+    double moved = 0, turned = 0;
+    for (Vec3 place = view().position; world.frame().time < 2; place = view().position) {
+      const Quat before = view().rotation;
+      world.step();
+      if (world.frame().time < 0.5) continue;  // it slides
+      moved += (view().position - place).norm();
+      turned += view().radius * before.angularDistance(view().rotation);
+    }
+    EXPECT_GT(moved, 0.7);
+    EXPECT_NEAR(turned, moved, 1e-3 * moved) << "time step " << time_step;
+  }
 }
 
 }  // namespace
