@@ -267,6 +267,8 @@ class ContactWorld {
 
   /// Returns the deepest overlap in contacts(), beyond that allowed after cracks [m], >= 0.
   double max_penetration() const;
+  /// Returns the overlap with larger objects that contacts of deformable ones leave, so that what rests touches [m].
+  double overlap_at_rest(ProxyId object) const;
 
  private:
   struct Impl;

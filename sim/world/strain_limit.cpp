@@ -42,10 +42,12 @@ double depth_of_soft_bodies(const WorldState& world) {
   if (!world.model->scene.ground) return 0;
   const double height = world.model->scene.ground->height;
   double deepest = 0;
-  for (const Body& body : world.bodies)
-    if (limits_substeps(world, body) && !body.supported())
-      for (const NodeId node : body.nodes)
-        deepest = std::max(deepest, (height - world.nodes.positions[node].y()) / body.element_size);
+  for (const Body& body : world.bodies) {
+    if (!limits_substeps(world, body) || body.supported()) continue;
+    const double rest = height - world.contact_world.overlap_at_rest(body.proxy);
+    for (const NodeId node : body.nodes)
+      deepest = std::max(deepest, (rest - world.nodes.positions[node].y()) / body.element_size);
+  }
   return deepest;
 }
 

@@ -13,7 +13,7 @@ struct StrainLimit {
 /// Returns the limit for a step of this length [s].
 StrainLimit strain_limit(const WorldState& world, double time_step);
 
-/// Returns the depth of soft bodies below the ground, in sizes of their elements.
+/// Returns the depth of soft bodies below the ground, beyond that at rest, in sizes of their elements.
 double depth_of_soft_bodies(const WorldState& world);
 
 }  // namespace griffith

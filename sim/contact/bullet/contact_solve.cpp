@@ -216,6 +216,7 @@ void ContactWorld::Impl::advance(double dt) {
   read_back_impulses(dt);
   resist_rolling();
   push_elastic_groups_apart(dt);
+  for (Object& object : objects) object.correction.rotation += dt * object.spin_taken;
   move_rigid_groups(dt);
   strays = find_strays(dt);
   if (move_projectiles(dt)) strays = find_strays(dt);
@@ -307,6 +308,10 @@ void ContactWorld::Impl::limit_lift(double dt) {
     objects[i].correction.translation *= fraction;
     objects[i].correction.rotation *= fraction;
   }
+}
+
+double ContactWorld::overlap_at_rest(ProxyId object) const {
+  return kRestingFraction * impl_->objects[object].shape.radius;
 }
 
 }  // namespace griffith
