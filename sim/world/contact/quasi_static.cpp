@@ -17,13 +17,14 @@ bool is_driven(const WorldState& world, const Body& body) {
 }
 
 /// True if a body cannot deform visibly before it breaks: a beam of length l and thickness t that carries a load in its
-/// middle has bent by ε l²/(6 t) where its surface reaches the strain ε.
+/// middle has bent by ε l²/(6 t) where its surface reaches the strain ε. Pieces are seen beside what they broke off.
 bool hardly_deforms(const WorldState& world, const Body& body) {
-  constexpr double kVisible = 5e-3;  // of its extent
+  constexpr double kVisible = 5e-3;  // of the extent of the original
   const Material& material = world.material_of(body);
   const double thickness = body.motion.mass / material.density / (body.extent * body.extent);
   const double strain = min_breaking_stress(world, body, false) / material.young_modulus;
-  return strain * body.extent / (6 * thickness) < kVisible;
+  const double bent = strain * body.extent * body.extent / (6 * thickness);
+  return bent < kVisible * world.model->extents[body.scene_body];
 }
 
 /// True if a wave crosses a body within `dt` [s]: by an implicit step of that length it comes close to equilibrium.
