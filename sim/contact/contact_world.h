@@ -130,9 +130,9 @@ class ContactWorld {
   };
   /// Adds many in their order: as one by one, but their shapes are made in parallel.
   std::vector<ProxyId> add_proxies(std::span<const Proxy> proxies);
-  /// Sets a new shape and mass of a proxy whose body lost a piece. Pairs that overlap when first seen after
-  /// add_proxy() or reshape() are fresh cracks: they are neither pushed apart nor do they bounce. That much overlap
-  /// stays allowed until it has shrunk, save with the ground.
+  /// Sets a new shape and mass of a proxy whose body lost a piece. Two proxies that overlap when first seen after
+  /// add_proxy() or reshape() of both are sides of a fresh crack: they are neither pushed apart nor do they bounce.
+  /// That much overlap stays allowed until it has shrunk.
   void reshape(ProxyId proxy, std::span<const ConvexPart> parts, const RigidMass& mass, Mobility mobility,
                const RigidState& state);
   /// Sets the deformed shape of a proxy and its mass. New overlaps count as such.
@@ -277,11 +277,11 @@ class ContactWorld {
 
 /// Divides a body into few, nearly convex parts for collision. `points`, which are now where they are and at rest at
 /// `rest_points`, and `tets` are the body's own. Every tet belongs to one part, the convex hull of its at most 42 most
-/// extreme corners. The division is that at rest, so that it does not change as the body deforms. A part is accepted if
-/// its tets fill at least the fraction `fill` (0..1] of that hull, if it is a single tet, or if it has less than 1/32
-/// of the body's volume; else it is halved across its longest axis. A low `fill` makes fewer parts. Contact time grows
-/// with their number, so 0.5 suits small pieces.
+/// extreme corners. The division is that at rest, so that it does not change as the body deforms. Up to 64 tets are
+/// merged into parts that leave the surface by at most 0.5 % of the body's extent (convex_clusters). A part of a larger
+/// body is accepted if its tets fill at least the fraction `fill` (0..1] of its hull, or if it has less than 1/32 of
+/// the body's volume; else it is halved across its longest axis. A low `fill` makes fewer parts.
 std::vector<ConvexPart> convex_parts(std::span<const Vec3> points, std::span<const Vec3> rest_points,
-                                     std::span<const std::array<int, 4>> tets, double fill = 0.9);
+                                     std::span<const std::array<int, 4>> tets, double fill = 0.97);
 
 }  // namespace griffith

@@ -1,3 +1,4 @@
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -7,8 +8,10 @@
 #include <numeric>
 
 #include "sim/contact/contact_world.h"
+#include "sim/contact/convex_clusters.h"
 #include "sim/contact/convex_pieces.h"
 #include "sim/core/parallel.h"
+#include "sim/core/sort_unique.h"
 #include "sim/geometry/convex_hull.h"
 
 namespace griffith {
@@ -129,6 +132,24 @@ std::vector<ConvexPart> parts_of(const Body& body) {
   return all.empty() ? std::vector<ConvexPart>() : parts_of(body, all);
 }
 
+/// Returns the parts of a few tets: clusters that are convex up to a small fraction of the body's extent at rest.
+std::vector<ConvexPart> clustered_parts(std::span<const Vec3> points, std::span<const Vec3> rest_points,
+                                        std::span<const std::array<int, 4>> tets) {
+  constexpr double kConcavity = 0.005;
+  Eigen::AlignedBox3d box;
+  for (const Vec3& point : rest_points) box.extend(point);
+  std::vector<ConvexPart> parts;
+  for (const std::vector<int>& cluster : convex_clusters(rest_points, tets, kConcavity * box.sizes().maxCoeff())) {
+    std::vector<int> corners;
+    for (const int tet : cluster) corners.insert(corners.end(), tets[tet].begin(), tets[tet].end());
+    sort_unique(corners);
+    ConvexPart& part = parts.emplace_back();
+    for (const int corner : corners) part.push_back(points[corner]);
+    if (cluster.size() > 1) part = convex_hull(extreme_points(part)).corners;
+  }
+  return parts;
+}
+
 double tet_volume(std::span<const Vec3> points, const std::array<int, 4>& tet) {
   const auto& [a, b, c, d] = tet;
   const Vec3& origin = points[a];
@@ -139,7 +160,9 @@ double tet_volume(std::span<const Vec3> points, const std::array<int, 4>& tet) {
 
 std::vector<ConvexPart> convex_parts(std::span<const Vec3> points, std::span<const Vec3> rest_points,
                                      std::span<const std::array<int, 4>> tets, double fill) {
+  constexpr std::size_t kFew = 64;
   assert(fill > 0 && fill <= 1 && points.size() == rest_points.size());
+  if (tets.size() <= kFew) return clustered_parts(points, rest_points, tets);
   Body body = {points, rest_points, fill};
   for (const auto& tet : tets) body.add(tet, tet_volume(rest_points, tet));
   return parts_of(body);

@@ -13,8 +13,8 @@ struct ConvexPiece {
   double volume = 0;         ///< [m³]
 };
 
-/// Does the same as convex_parts() of tets for a body made of convex pieces.
+/// Divides a body made of convex pieces as convex_parts() divides a large one made of tets.
 std::vector<ConvexPart> convex_parts(std::span<const Vec3> points, std::span<const Vec3> rest_points,
-                                     std::span<const ConvexPiece> pieces, double fill = 0.9);
+                                     std::span<const ConvexPiece> pieces, double fill = 0.97);
 
 }  // namespace griffith

@@ -6,41 +6,12 @@
 #include "sim/contact/contact_world.h"
 #include "sim/geometry/convex_hull.h"
 #include "tests/contact/bodies.h"
+#include "tests/contact/lattice.h"
 
 namespace griffith {
 namespace {
 
-using Tets = std::vector<std::array<int, 4>>;
-
-struct Body {
-  std::vector<Vec3> points;
-  Tets tets;
-};
-
-/// A wall of cubic cells, six tets each, without the cells for which `missing` holds.
-template <class Missing>
-Body wall(int columns, int rows, Missing missing) {
-  Body body;
-  for (int k = 0; k < 2; ++k)
-    for (int j = 0; j <= rows; ++j)
-      for (int i = 0; i <= columns; ++i) body.points.emplace_back(i, j, k);
-  const auto node = [&](int i, int j, int k) { return (k * (rows + 1) + j) * (columns + 1) + i; };
-  constexpr int kOrders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
-  for (int j = 0; j < rows; ++j)
-    for (int i = 0; i < columns; ++i) {
-      if (missing(i, j)) continue;
-      for (const auto& order : kOrders) {
-        int corner[3] = {i, j, 0};
-        std::array<int, 4> tet = {node(i, j, 0)};
-        for (int step = 0; step < 3; ++step) {
-          ++corner[order[step]];
-          tet[step + 1] = node(corner[0], corner[1], corner[2]);
-        }
-        body.tets.push_back(tet);
-      }
-    }
-  return body;
-}
+using Body = testing::Lattice;
 
 /// Returns how far a point lies outside of a hull [m].
 double distance_outside(const ConvexHull& hull, const Vec3& point) {
@@ -103,7 +74,7 @@ TEST(ConvexHull, FlatInputsAreSafe) {
 }
 
 TEST(ConvexParts, AConvexWallIsOnePart) {
-  const Body body = wall(10, 7, [](int, int) { return false; });
+  const Body body = testing::lattice(10, 7, [](int, int) { return false; });
   const auto parts = convex_parts(body.points, body.points, body.tets);
   ASSERT_EQ(parts.size(), 1u);
   EXPECT_EQ(parts[0].size(), 8u);
@@ -112,7 +83,7 @@ TEST(ConvexParts, AConvexWallIsOnePart) {
 
 TEST(ConvexParts, PartsFillTheirHullsAndLeaveHolesOpen) {
   const auto hole = [](int i, int j) { return i >= 3 && i < 7 && j >= 2 && j < 6; };
-  const Body body = wall(10, 8, hole);
+  const Body body = testing::lattice(10, 8, hole);
   const auto parts = convex_parts(body.points, body.points, body.tets, 0.9);
   EXPECT_GT(parts.size(), 1u);
   EXPECT_LE(parts.size(), 24u);
@@ -123,7 +94,7 @@ TEST(ConvexParts, PartsFillTheirHullsAndLeaveHolesOpen) {
 
 /// Contacts would find bodies deep inside of parts that were none before.
 TEST(ConvexParts, ADeformedBodyIsDividedAsAtRest) {
-  const Body body = wall(10, 8, [](int i, int j) { return i >= 3 && i < 7 && j >= 2 && j < 6; });
+  const Body body = testing::lattice(10, 8, [](int i, int j) { return i >= 3 && i < 7 && j >= 2 && j < 6; });
   const auto bend = [](const Vec3& p) { return Vec3(p.x(), p.y() - 0.03 * p.x() * p.x(), p.z()); };
   const auto unbent = [](const Vec3& p) { return Vec3(p.x(), p.y() + 0.03 * p.x() * p.x(), p.z()); };
   Body bent = body;
@@ -140,6 +111,13 @@ TEST(ConvexParts, ADeformedBodyIsDividedAsAtRest) {
 TEST(ConvexParts, OneTetIsExact) {
   const Body body = {{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 2, 0), Vec3(0.3, 0.2, 3)}, {{0, 1, 2, 3}}};
   EXPECT_EQ(convex_parts(body.points, body.points, body.tets), std::vector<ConvexPart>{body.points});
+}
+
+TEST(ConvexParts, ASmallPieceIsItsPartsExactly) {
+  const Body body = testing::lattice(3, 3, [](int i, int j) { return i > 0 && j > 0; });
+  const auto parts = convex_parts(body.points, body.points, body.tets);
+  EXPECT_EQ(parts.size(), 2u);
+  EXPECT_NEAR(total_hull_volume(parts), static_cast<double>(body.tets.size()) / 6, 1e-9);
 }
 
 TEST(ConvexParts, RoundBodiesKeepFewCorners) {

@@ -77,9 +77,8 @@ void ContactWorld::Impl::update_allowances() {
   }
   std::erase_if(overlaps, [&](Allowance& pair) {
     const Object &a = objects[pair.a], &b = objects[pair.b];
-    const bool fresh =
-        ((a.fresh && a.parted) || (b.fresh && b.parted)) && a.kind != Kind::ground && b.kind != Kind::ground;
-    if (!fresh) pair.overlap = std::min(pair.overlap, allowance(pair.a, pair.b));
+    const bool are_fresh_pieces = a.fresh && a.parted && b.fresh && b.parted;
+    if (!are_fresh_pieces) pair.overlap = std::min(pair.overlap, allowance(pair.a, pair.b));
     return pair.overlap == 0;
   });
   allowances = std::move(overlaps);

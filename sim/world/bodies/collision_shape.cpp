@@ -10,12 +10,6 @@
 namespace griffith {
 namespace {
 
-/// Few tets or splinters are debris, whose exact shape is not worth its cost.
-constexpr std::size_t kSmallPiece = 20;
-constexpr double kSmallPieceFill = 0.5, kFill = 0.9;
-
-double fill_of(std::size_t pieces) { return pieces <= kSmallPiece ? kSmallPieceFill : kFill; }
-
 /// Returns the splinters of a body.
 std::vector<SplinterId> owned_splinters(const WorldState& world, const Body& body) {
   const SplinterSet& set = world.model->splinters;
@@ -50,7 +44,7 @@ std::vector<ConvexPart> splinter_parts(const WorldState& world, const Body& body
       rest_points.push_back(carried_position(world, corner, world.mesh->rest_positions));
     }
   }
-  return convex_parts(points, rest_points, pieces, fill_of(pieces.size()));
+  return convex_parts(points, rest_points, pieces);
 }
 
 }  // namespace
@@ -71,7 +65,7 @@ std::vector<ConvexPart> tet_parts(const TetMesh& mesh, std::span<const Vec3> pos
     for (int i = 0; i < 4; ++i)
       corners[i] = static_cast<int>(std::ranges::lower_bound(nodes, mesh.tets[tet][i]) - nodes.begin());
   }
-  return convex_parts(points, rest_points, corners_of_tets, fill_of(tets.size()));
+  return convex_parts(points, rest_points, corners_of_tets);
 }
 
 std::vector<ConvexPart> collision_parts(const WorldState& world, const Body& body) {
