@@ -9,6 +9,16 @@
 namespace griffith {
 namespace {
 
+/// Returns ε_kij m_ij, up to the sign twice the axial vector of the skew part.
+Vec3 axial(const Mat3& m) { return {m(1, 2) - m(2, 1), m(2, 0) - m(0, 2), m(0, 1) - m(1, 0)}; }
+
+/// Returns the matrix Z with z·axial(m) = Z : m for all m.
+Mat3 skew(const Vec3& z) {
+  Mat3 m;
+  m << 0, z[2], -z[1], -z[2], 0, z[0], z[1], -z[0], 0;
+  return m;
+}
+
 double size_of(double volume, std::size_t count) {
   return count == 0 ? 0 : std::cbrt(6 * volume / static_cast<double>(count));
 }
@@ -55,6 +65,17 @@ ElementState element_state(const ElasticLaw& law, const ElementDeformation& defo
   const simd::Deformation<double> one{simd::numbers(deformation.frame), simd::upper_triangle(deformation.strain),
                                       deformation.inverted};
   return simd::state_of(law, one, simd::upper_triangle(plastic_strain)).of(0);
+}
+
+Mat3 turning_traction(const Mat3& rotation, const Mat3& gradient, const Mat3& moments) {
+  const Mat3 stretch = rotation.transpose() * gradient;
+  const Mat3 turning = stretch.trace() * Mat3::Identity() - stretch;
+  const Vec3 z = turning.inverse() * axial(moments);
+  return z.allFinite() ? Mat3(rotation * skew(z)) : Mat3(Mat3::Zero());
+}
+
+Mat3 turning_traction(const ElementState& state, const Mat3& gradient) {
+  return turning_traction(state.frame, gradient, state.frame.transpose() * gradient * state.stress.full());
 }
 
 Mat3 cauchy_stress(const Mat3& frame, const Mat3& stress) {

@@ -12,16 +12,6 @@ namespace {
 
 using simd::DoubleLanes;
 
-/// Returns ε_kij m_ij, up to the sign twice the axial vector of the skew part.
-Vec3 axial(const Mat3& m) { return {m(1, 2) - m(2, 1), m(2, 0) - m(0, 2), m(0, 1) - m(1, 0)}; }
-
-/// Returns the matrix Z with z·axial(m) = Z : m for all m.
-Mat3 skew(const Vec3& z) {
-  Mat3 m;
-  m << 0, z[2], -z[1], -z[2], 0, z[0], z[1], -z[0], 0;
-  return m;
-}
-
 /// Returns V/20 (σ_v + Σ σ), the weighted stress of each corner [J].
 CornerTensors weighted_stresses(const RestElement& rest, const std::array<ElementState, 4>& corners) {
   Mat3 sum = Mat3::Zero();
@@ -103,17 +93,11 @@ void read_flowed(const ElasticLaw& law, const PlasticLaw& plastic, const simd::D
   for (int v = 0; v < 4; ++v) state.corners[v] = read.of(v);
 }
 
-/// Returns the traction on corners that follows from the dependence of the rotation Q on F_0 = Q S. With δQ = Q Ω, the
-/// energy changes by Q Z : δF_0, Z the skew matrix of (tr(S) I − S)⁻¹ axial(Σ Qᵀ F_v s_v). Zero if the element is flat,
-/// where Q jumps.
-Mat3 turning_traction(const Mat3& q, const Mat3& whole, const std::array<Mat3, 4>& gradients,
-                      const std::array<Mat3, 4>& weighted) {
+/// Returns Σ Qᵀ F_v s_v.
+Mat3 moments_of(const Mat3& q, const std::array<Mat3, 4>& gradients, const std::array<Mat3, 4>& weighted) {
   Mat3 moments = Mat3::Zero();
   for (int v = 0; v < 4; ++v) moments += q.transpose() * gradients[v] * weighted[v];
-  const Mat3 stretch = q.transpose() * whole;
-  const Mat3 turning = stretch.trace() * Mat3::Identity() - stretch;
-  const Vec3 z = turning.inverse() * axial(moments);
-  return z.allFinite() ? Mat3(q * skew(z)) : Mat3(Mat3::Zero());
+  return moments;
 }
 
 }  // namespace
@@ -187,7 +171,8 @@ QuadraticStates quadratic_states(const ElasticLaw& law, const RestElement& rest,
   const CornerTensors weighted = weighted_stresses(rest, states.state.corners);
   set_forces(rest, weighted, states.state);
   if (law.model == ElementModel::corotational || whole.inverted)
-    states.state.corner_traction += turning_traction(states.mean.frame, gradient, gradients, weighted);
+    states.state.corner_traction +=
+        turning_traction(states.mean.frame, gradient, moments_of(states.mean.frame, gradients, weighted));
   if (plastic) read_flowed(law, *plastic, deformations, stress_free, states.state);
   return states;
 }

@@ -32,6 +32,33 @@ void measure(const BlockLaw& law, const ElementBlock& block, const Symmetric rat
   for (int e = 0; e < 6; ++e) work.rate[e] = rate[e];
 }
 
+bool has_offsets(const ElementBlock& block) {
+  Lanes squares = {};
+  for (int e = 0; e < 6; ++e) squares += block.offset[e] * block.offset[e];
+  float sum = 0;
+  for (int lane = 0; lane < kLanes; ++lane) sum += squares[lane];
+  return sum > 0;
+}
+
+/// Adds the traction that turning frames add to `stress` (turning_traction()) to the product R sigma, R = I + `frame`.
+void add_turning(const Matrix h, const Matrix frame, const Symmetric stress, Matrix product) {
+  Matrix k, moments;
+  stretch(frame, h, k);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      moments[i][j] = k[i][0] * stress[kEntry[0][j]] + k[i][1] * stress[kEntry[1][j]] + k[i][2] * stress[kEntry[2][j]];
+  const Lanes axial[3] = {moments[1][2] - moments[2][1], moments[2][0] - moments[0][2], moments[0][1] - moments[1][0]};
+  TurnOfAxial turn_of;
+  Lanes z[3];
+  turn_of_axial(k, turn_of);
+  multiply(turn_of, axial, z);
+  for (int i = 0; i < 3; ++i) z[i] += z[i];
+  const Matrix skew = {{Lanes{}, z[2], -z[1]}, {-z[2], Lanes{}, z[0]}, {z[1], -z[0], Lanes{}}};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      product[i][j] += skew[i][j] + frame[i][0] * skew[0][j] + frame[i][1] * skew[1][j] + frame[i][2] * skew[2][j];
+}
+
 template <ElementModel model>
 void force_elements_of(const BlockLaw& law, ElementBlock& block, const WideQuad* displacements, Quad* forces,
                        ViscousWork& work, float viscosity, bool finds_largest) {
@@ -58,6 +85,7 @@ void force_elements_of(const BlockLaw& law, ElementBlock& block, const WideQuad*
     stress[e] *= block.volume;
   }
   carry(model == ElementModel::corotational ? rotation : h, stress, product);
+  if (model == ElementModel::corotational && has_offsets(block)) add_turning(h, rotation, stress, product);
   write_forces(block, product, largest, forces);
 }
 

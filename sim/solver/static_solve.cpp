@@ -53,6 +53,7 @@ class StaticSolver {
   Balance balance();
   double scale(const Balance& balance) const;
   double rounding_level() const;
+  Corners turning_forces(TetId tet) const;
   void add_elastic_forces(TetId tet, std::vector<Vec3>& forces, std::vector<Vec3>& edge_forces) const;
   ElasticSystem make_system();
   StaticStep newton_step(const Balance& now, std::span<const NodeConstraint> constraints);
@@ -216,11 +217,21 @@ Balance StaticSolver::balance() {
   return result;
 }
 
+/// Returns V times the turning_traction() at the corners of a linear tet [N].
+Corners StaticSolver::turning_forces(TetId tet) const {
+  if (problem_.law.model != ElementModel::corotational && !states_[tet].inverted) return Corners::Zero();
+  Corners places;
+  for (int i = 0; i < 4; ++i) places.col(i) = positions_[problem_.mesh.tets[tet][i]];
+  const RestElement& rest = problem_.rest_elements[tet];
+  return rest.volume * turning_traction(states_[tet], deformation_gradient(rest, places)) * rest.shape_gradients;
+}
+
 void StaticSolver::add_elastic_forces(TetId tet, std::vector<Vec3>& forces, std::vector<Vec3>& edge_forces) const {
   const RestElement& rest = problem_.rest_elements[tet];
   const std::array<NodeId, 4>& corners = problem_.mesh.tets[tet];
   if (!problem_.edges) {
-    const Corners f = nodal_forces(rest, states_[tet].frame, states_[tet].stress);
+    Corners f = nodal_forces(rest, states_[tet].frame, states_[tet].stress);
+    if (problem_.has_stress_free_strains) f -= turning_forces(tet);
     for (int i = 0; i < 4; ++i) forces[corners[i]] += f.col(i);
     return;
   }

@@ -34,6 +34,8 @@ struct StaticProblem {
   /// empty: none.
   std::function<void(std::span<const Vec3> positions, std::span<Vec3> loads, std::span<Vec3> of_edges)>
       add_follower_loads = {};
+  /// True if linear tets have stress-free strains: their forces include turning_traction().
+  bool has_stress_free_strains = false;
   /// Edges of a quadratic body: `evaluate` sets their states for their offsets, and the mean states.
   std::optional<StaticEdges> edges = {};
 };

@@ -77,6 +77,39 @@ TEST_P(Element, ForceIsMinusTheGradientOfTheEnergy) {
   }
 }
 
+TEST(StressFreeStrain, ForceIsMinusTheGradientOfTheEnergyAndHasNoTorque) {
+  constexpr ElasticLaw kLaw{ElementModel::corotational, 2e6, 3e6};
+  RandomValues random(8);
+  for (int trial = 0; trial < 50; ++trial) {
+    const Corners rest_corners = random_corners(random);
+    const RestElement rest = rest_element(rest_corners);
+    const Corners corners = shaken(random.rotation() * rest_corners, random, 0.05);
+    const Mat3 shape = 0.05 * random.matrix(), free = shape + shape.transpose();
+    const auto state_at = [&](const Corners& x) {
+      return element_state(kLaw, element_deformation(kLaw.model, rest, x), free);
+    };
+    const ElementState state = state_at(corners);
+    const Mat3 turning = turning_traction(state, deformation_gradient(rest, corners));
+    const Corners without = nodal_forces(rest, state.frame, state.stress.full());
+    const Corners force = without - rest.volume * turning * rest.shape_gradients;
+    const auto torque = [&](const Corners& forces) {
+      Vec3 sum = Vec3::Zero();
+      for (int i = 0; i < 4; ++i) sum += corners.col(i).cross(forces.col(i));
+      return sum.norm() / (force.norm() * corners.norm());
+    };
+    EXPECT_LT(torque(force), 1e-12);
+    EXPECT_GT(torque(without), 1e-5) << "too close to common axes for a test";
+    const double h = 1e-5;
+    for (int i = 0; i < 12; ++i) {
+      Corners plus = corners, minus = corners;
+      plus(i) += h;
+      minus(i) -= h;
+      const double change = rest.volume * (state_at(plus).energy_density - state_at(minus).energy_density);
+      EXPECT_NEAR(-change / (2 * h), force(i), 1e-6 * force.norm());
+    }
+  }
+}
+
 TEST_P(Element, StiffnessIsTheDerivativeOfTheForceAtRest) {
   RandomValues random(3);
   for (int trial = 0; trial < 20; ++trial) {

@@ -7,7 +7,7 @@ namespace griffith {
 bool can_be_compacted(const WorldState& world, const Body& body) {
   constexpr double kVisibleStrain = 1e-3;
   const Material& material = world.material_of(body);
-  return body.is_deformable() && body.edges.empty() && !world.integrates_explicitly() &&
+  return body.is_deformable() && !body.quasi_static && body.edges.empty() && !world.integrates_explicitly() &&
          material.tensile_strength > kVisibleStrain * material.young_modulus;
 }
 

@@ -17,6 +17,7 @@
 #include "sim/world/motion/motion_phase.h"
 #include "sim/world/motion/turning.h"
 #include "sim/world/regime/regime_change.h"
+#include "sim/world/state/corners.h"
 #include "sim/world/state/element_states.h"
 #include "sim/world/state/world_state.h"
 
@@ -28,10 +29,20 @@ namespace {
 void add_linear_forces(const WorldState& world, const Body& body, std::span<simd::WideQuad> sums,
                        std::vector<Vec3>& forces) {
   const ElementArrays& elements = world.elements;
+  const bool is_corotational = elastic_law(world.material_of(body)).model == ElementModel::corotational;
+  const auto turns = [&](TetId tet) {
+    return (is_corotational || elements.states[tet].inverted) && !elements.stress_free_strain(tet).isZero(0);
+  };
   const auto add = [&](TetId tet, const std::array<simd::WideQuad*, 4>& to) {
     const RestElement& rest = elements.rest_elements[tet];
-    const auto tractions = one_by_one(corner_tractions(elements.states[tet], corner_gradients(rest)));
-    for (int i = 0; i < 4; ++i) *to[i] -= rest.volume * tractions[i];
+    const CornerVectors gradients = corner_gradients(rest);
+    CornerVectors tractions = corner_tractions(elements.states[tet], gradients);
+    if (turns(tet)) {
+      const Mat3 gradient = deformation_gradient(rest, corners_of(world.mesh, tet, world.nodes.positions));
+      tractions = tractions + product(turning_traction(elements.states[tet], gradient), gradients);
+    }
+    const auto at_corners = one_by_one(tractions);
+    for (int i = 0; i < 4; ++i) *to[i] -= rest.volume * at_corners[i];
   };
   parallel_parts(static_cast<int>(body.nodes.size()), 512, [&](int begin, int end) {
     const std::span<const NodeId> nodes = std::span(body.nodes).subspan(begin, end - begin);
@@ -72,9 +83,7 @@ void add_elastic_forces(const WorldState& world, const Body& body, std::vector<V
 namespace {
 
 /// Removes the torque of the elastic forces from the `forces` on a body that turns freely or about a pivot; `outer`:
-/// the other ones, per node of the body [N]. With F = R U, corotational stress is symmetric in the frame of R. If
-/// plastic strain and U have different axes, a torque remains that would let the body spin itself up. Forces on the
-/// edges of quadratic tets also have one, which their nodes balance.
+/// the other ones, per node of the body [N]. Forces on the edges of quadratic tets have one, which their nodes balance.
 void remove_inner_torque(const WorldState& world, const Body& body, const NodeVectors& outer,
                          std::vector<Vec3>& forces) {
   const NodeVectors inner = of_nodes(body, forces) - outer;
@@ -112,7 +121,7 @@ void read_back_reactions(const Body& body, std::vector<Vec3>& reactions) {
 }
 
 SolveReport predict_elastic(WorldState& world, Body& body, std::vector<Vec3>& forces, double dt) {
-  const bool has_inner_torque = world.material_of(body).yield_strength || !body.edges.empty();
+  const bool has_inner_torque = !body.edges.empty();
   if (body.supported() && !world.integrates_explicitly()) turn_forces_halfway(world, body, dt, forces);
   const NodeVectors outer = has_inner_torque ? of_nodes(body, forces) : NodeVectors();
   add_elastic_forces(world, body, forces, world.scratch);

@@ -100,6 +100,7 @@ StaticProblem problem_of(WorldState& world, const Body& body, std::span<const No
   };
   StaticProblem problem{world.mesh,  body.tets, world.elements.rest_elements, law, world.nodes.masses, displacements,
                         loads.nodes, evaluate};
+  problem.has_stress_free_strains = !world.elements.plastic_strains.empty();
   if (!body.edges.empty()) add_edges(world, body, loads.edges, problem);
   if (!pressed.empty())
     problem.add_follower_loads = [pressed](std::span<const Vec3> positions, std::span<Vec3> forces,
