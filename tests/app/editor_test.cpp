@@ -36,6 +36,20 @@ TEST_F(EditorTest, PausedPictureShowsAnEditedMaterial) {
   EXPECT_LT(brightness(), before / 2);
 }
 
+TEST_F(EditorTest, LettersTypedRightAfterTheShortcutOfThePaletteAreItsText) {
+  ui::press(queue_, {'P', true});
+  for (const char letter : std::string("go")) {  // alone, they are shortcuts
+    const int key = letter - 'a' + 'A';
+    queue_.key(key, true);
+    queue_.text(static_cast<unsigned char>(letter));
+    queue_.key(key, false);
+  }
+  play();
+  draw(3);
+  EXPECT_EQ(value("palette/text"), "go");
+  EXPECT_EQ(editor_.state().gizmo, ui::GizmoTool::none);
+}
+
 TEST_F(EditorTest, StepAndResetMoveTheClock) {
   EXPECT_EQ(value("toolbar/step"), "step 0");
   click("command/simulation.step");

@@ -22,7 +22,7 @@ struct SlowWindow {
   }
   int draw_all() {
     int frames = 0;
-    for (; !queue.empty() && frames < 1000; ++frames) frame();
+    for (; !queue.empty() && frames < 10000; ++frames) frame();
     for (int i = 0; i < 3; ++i) frame();
     return frames;
   }

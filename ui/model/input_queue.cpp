@@ -8,13 +8,18 @@
 namespace griffith::ui {
 namespace {
 
-// Frames until the keyboard focus has arrived after a click, and has left after Enter, Escape or Tab.
+// Frames until the keyboard focus has arrived after a click or a shortcut, and has left after Enter, Escape or Tab.
 constexpr int kFramesToFocus = 3, kFramesToLeave = 3;
 
 bool is_modifier(int key) { return key >= key::kFirstModifier && key <= key::kLastModifier; }
 
 /// True if the key writes a character unless modifiers make it a shortcut.
 bool is_text_key(int key) { return key >= key::kSpace && key < key::kEscape; }
+
+/// True if the key may be a shortcut that opens a field, such as the palette: a letter alone would be text there.
+bool may_open_field(int key, const ImGuiIO& io) {
+  return !io.WantTextInput && (io.KeyCtrl || io.KeyAlt || io.KeySuper || (key >= key::kF1 && key <= key::kF12));
+}
 
 bool either(const ImGuiIO& io, int left, int right) { return io.KeysDown[left] || io.KeysDown[right]; }
 
@@ -82,6 +87,7 @@ void InputQueue::pass_event(const Event& event, ImGuiIO& io, Seen& seen) {
       seen.changed_keys[static_cast<std::size_t>(event.code)] = true;
       if (!event.down || is_modifier(event.code)) return;
       if (io.WantTextInput && !is_text_key(event.code)) frames_to_focus_ = kFramesToLeave;
+      if (may_open_field(event.code, io)) frames_to_focus_ = kFramesToFocus;
       break;
     case Kind::button:
       io.MouseDown[event.code] = event.down;

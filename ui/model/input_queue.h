@@ -53,7 +53,7 @@ class InputQueue {
   std::deque<Event> events_;
   ImVec2 place_ = {-FLT_MAX, -FLT_MAX};
   ImVec2 last_place_ = place_;  ///< place of the newest move, passed or not
-  int frames_to_focus_ = 0;     ///< frames until the item opened by a click takes keys
+  int frames_to_focus_ = 0;     ///< frames until what a click or shortcut opened takes keys
 };
 
 /// Maps the keys that edit text in ImGui, where no window does so.
