@@ -31,9 +31,9 @@ void set_bodies(ui::EditHistory& history, ui::EditorState& state, const std::str
   history.finish();
 }
 
-/// Adds bodies under free names, as one entry of the history, and selects them.
-void append_bodies(ui::EditHistory& history, ui::EditorState& state, const std::string& label,
-                   std::vector<BodyDescription> added) {
+/// Adds bodies under free names, as one entry of the history. Returns their indices.
+std::vector<std::size_t> append_bodies(ui::EditHistory& history, ui::EditorState& state, const std::string& label,
+                                       std::vector<BodyDescription> added) {
   std::vector<BodyDescription> bodies = history.scene().bodies;
   std::vector<std::size_t> copies;
   for (BodyDescription& body : added) {
@@ -42,7 +42,7 @@ void append_bodies(ui::EditHistory& history, ui::EditorState& state, const std::
     bodies.push_back(std::move(body));
   }
   set_bodies(history, state, label, std::move(bodies));
-  select_bodies(state, history.scene(), copies);
+  return copies;
 }
 
 /// Returns the height of a body above what is below it [m]. What it would have to leave by more than half its height is
@@ -170,7 +170,7 @@ void array_bodies(ui::EditHistory& history, ui::EditorState& state, int count, c
       added.push_back(history.scene().bodies[body]);
       added.back().position = ui::moved_place(added.back().position, i * offset);
     }
-  append_bodies(history, state, "Array", std::move(added));
+  select_bodies(state, history.scene(), append_bodies(history, state, "Array", std::move(added)));
 }
 
 Vec3 side_by_side(const Scene& scene, const ui::EditorState& state) {
@@ -183,18 +183,25 @@ Vec3 side_by_side(const Scene& scene, const ui::EditorState& state) {
 void mirror_bodies(ui::EditHistory& history, ui::EditorState& state, int axis) {
   const Scene& scene = history.scene();
   std::vector<std::size_t> selected = ui::selected_body_indices(state, scene);
-  double place = 0;
+  std::optional<std::size_t> center;
   if (selected.size() > 1) {
-    place = center_along(scene, selected.back(), axis);
+    center = selected.back();
     selected.pop_back();
   }
+  const double place = center ? center_along(scene, *center, axis) : 0;
   std::vector<BodyDescription> added;
   for (const std::size_t body : selected) {
     require_side(scene, body, axis, place);
     added.push_back(mirrored(scene.bodies[body], axis, place));
+    added.back().position = ui::moved_place(added.back().position, Vec3::Zero());
   }
-  for (BodyDescription& body : added) body.position = ui::moved_place(body.position, Vec3::Zero());
-  append_bodies(history, state, std::string("Mirror along ") + kAxisNames[axis], std::move(added));
+  std::vector<std::size_t> images =
+      append_bodies(history, state, std::string("Mirror along ") + kAxisNames[axis], std::move(added));
+  if (center) {  // so that the next mirror repeats both sides about the same body
+    images.insert(images.begin(), selected.begin(), selected.end());
+    images.push_back(*center);
+  }
+  select_bodies(state, history.scene(), images);
 }
 
 void align_bodies(ui::EditHistory& history, ui::EditorState& state, int axis) {

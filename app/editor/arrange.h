@@ -20,7 +20,8 @@ void array_bodies(ui::EditHistory& history, ui::EditorState& state, int count, c
 Vec3 side_by_side(const Scene& scene, const ui::EditorState& state);
 
 /// Adds mirror images of the selected bodies along the axis: on the other side of the center of the body selected last,
-/// which is not copied itself, or of the origin if only one is selected. Throws InputError for a body without one.
+/// which is not copied itself, or of the origin if only one is selected. All of them stay selected, that body last, for
+/// the next mirror; of a single body only the image. Throws InputError for a body without one.
 void mirror_bodies(ui::EditHistory& history, ui::EditorState& state, int axis);
 
 /// Moves the selected bodies along the axis until their centers are level with that of the one selected last.

@@ -180,6 +180,20 @@ TEST_F(Arrange, AMirrorImageOfTheMirrorImageIsTheBody) {
   }
 }
 
+TEST_F(Arrange, MirroredTwiceAboutATopOneLegBecomesFour) {
+  start_with({box(Vec3(0.1, 0.6, 0.1), Vec3(-0.2, 0.3, -0.5)), box(Vec3(0.8, 0.1, 0.8), Vec3(0.1, 0.65, -0.2))});
+  choose({0, 1});
+  execute("edit.mirror_x");
+  execute("edit.mirror_z");
+  ASSERT_EQ(scene().bodies.size(), 5u);
+  std::vector<Vec3> legs = {position(0), position(2), position(3), position(4)};
+  std::ranges::sort(legs,
+                    [](const Vec3& a, const Vec3& b) { return std::pair(a.x(), a.z()) < std::pair(b.x(), b.z()); });
+  const std::vector<Vec3> expected = {Vec3(-0.2, 0.3, -0.5), Vec3(-0.2, 0.3, 0.1), Vec3(0.4, 0.3, -0.5),
+                                      Vec3(0.4, 0.3, 0.1)};
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_TRUE(legs[i].isApprox(expected[i], 1e-12)) << i;
+}
+
 TEST_F(Arrange, AMaterialPresetGoesToAllSelectedBodies) {
   const BodyDescription cube = box(Vec3::Ones(), Vec3(0, 0.5, 0));
   start_with({cube, box(Vec3::Ones(), Vec3(2, 0.5, 0)), box(Vec3::Ones(), Vec3(4, 0.5, 0))});
