@@ -52,8 +52,10 @@ bool RunAnalysis::computes_comparison() const { return compared_ && compared_->i
 void RunAnalysis::draw_comparison(std::optional<int> samples) {
   if (!compared_) return;
   const ExportedView view = viewport_.exported_view(run_.built());
+  ViewSettings drawn = view.view;
+  drawn.quality = viewport_.drawn_quality();
   compared_->draw(run_.built(), view.view, viewport_.range(), view.hidden, view.camera,
-                  picture_options(view.width, view.height, samples, view.view));
+                  picture_options(view.width, view.height, samples, drawn));
   difference_ = compared_->difference(run_.timeline(), run_.built());
 }
 

@@ -33,11 +33,12 @@ ui::ViewCamera view_camera(const render::Camera& camera) {
           .tangent = std::tan(static_cast<double>(camera.vertical_fov) * std::numbers::pi / 360)};
 }
 
-/// Adds the label of what broke while it was scaled, above the hints.
-void add_scaling_label(ui::EditorInput& input, const Scene& scene, float height) {
-  if (height <= 0) return;           // before the first layout
-  constexpr float kAboveHints = 56;  // design pixels
-  const float rise = kAboveHints * input.fonts.small->FontSize / ui::kSmallText / height;
+/// Adds the label of what broke while it was scaled, above the hints and the text of a comparison.
+void add_scaling_label(ui::EditorInput& input, const Scene& scene, float height, bool compares) {
+  if (height <= 0) return;                                   // before the first layout
+  constexpr float kAboveHints = 56, kAboveComparison = 112;  // design pixels
+  const float rise =
+      (compares ? kAboveComparison : kAboveHints) * input.fonts.small->FontSize / ui::kSmallText / height;
   if (const auto label = scaling_label(scene, input.frame, 1 - rise)) input.views.front().labels.push_back(*label);
 }
 
@@ -101,7 +102,7 @@ bool Viewport::draw_view(const ShownWorld& world, int view, std::optional<int> s
 
 void Viewport::render(int view, bool draft, std::optional<int> samples) {
   ViewSettings settings = view_settings(content_of(view));
-  settings.quality = draft ? PictureQuality::draft : std::min(settings.quality, highest_quality_);
+  settings.quality = quality(settings, draft);
   render::RenderOptions options = picture_options(size(view).x(), size(view).y(), samples, settings);
   options.pixel_scale = picture_options(size(0).x(), size(0).y(), samples, settings).pixel_scale;
   const Content& content = contents_[static_cast<std::size_t>(content_of(view))];
@@ -197,7 +198,7 @@ void Viewport::toggle_range_lock() {
 void Viewport::describe(ui::EditorInput& input, const Scene& scene) {
   for (int view = 0; view < state_.four_views.count(); ++view)
     input.views[static_cast<std::size_t>(view)] = shown_view(view, input.fonts);
-  add_scaling_label(input, scene, static_cast<float>(size(0).y()));
+  add_scaling_label(input, scene, static_cast<float>(size(0).y()), state_.comparison.branch.has_value());
   input.toward_eye = (camera_.position - camera_.target).cast<double>();
   input.symbol_lines = symbol_lines(input.frame, scene);
   input.aim = aim(input.frame, scene);

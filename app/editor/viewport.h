@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -77,6 +78,8 @@ class Viewport {
   void limit_quality(PictureQuality highest) { highest_quality_ = highest; }
   /// True if the next picture is a draft, to be drawn again in full.
   bool draws_draft() const { return draft_.on(); }
+  /// Returns the quality of the last picture of the camera.
+  PictureQuality drawn_quality() const { return quality(state_.view, drawn_.front().draft); }
   void toggle_slice(const Frame& frame);
   void toggle_range_lock();
 
@@ -146,6 +149,9 @@ class Viewport {
     return state_.four_views.quantities[static_cast<std::size_t>(view)].empty() ? 0 : view;
   }
   ViewSettings view_settings(int content) const;
+  PictureQuality quality(const ViewSettings& view, bool draft) const {
+    return draft ? PictureQuality::draft : std::min(view.quality, highest_quality_);
+  }
   PictureSettings settings(const Scene& built, int content) const;
   ContentKey content_key(const WorldVersion& version, int content) const;
   PictureKey picture_key(const WorldVersion& version, int view) const;

@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
+
 #include "app/editor/compared_branch.h"
 #include "editor_fixture.h"
 
@@ -95,6 +98,30 @@ TEST_F(ComparisonTest, TheOtherBranchFollowsTheShownStep) {
   press_key('B');
   EXPECT_FALSE(editor_.state().comparison.branch);
   EXPECT_FALSE(ui::find_tag(editor_.tags(), "compare/difference"));
+}
+
+TEST_F(ComparisonTest, BothBranchesAreDrawnInTheSameQuality) {
+  editor_.state().view.quality = PictureQuality::standard;  // the test limits it to drafts
+  fork();
+  editor_.execute({.name = "time.step", .step = 2});  // where both are the same
+  draw(2);
+  const ImVec2 center = ui::find_tag(editor_.tags(), "viewport")->center();
+  const auto middle = [&] {
+    constexpr int kSide = 200;
+    return render::part_of(window_image(), static_cast<int>(center.x) - kSide / 2,
+                           static_cast<int>(center.y) - kSide / 2, kSide, kSide);
+  };
+  const render::Image alone = middle();
+  press_key('B');
+  editor_.state().comparison.border = 0.02F;
+  draw(3);
+  ASSERT_TRUE(editor_.state().comparison.branch);
+  const render::Image compared = middle();
+  ASSERT_EQ(compared.rgba.size(), alone.rgba.size());
+  int largest = 0;
+  for (std::size_t i = 0; i < alone.rgba.size(); ++i)
+    largest = std::max(largest, std::abs(int{compared.rgba[i]} - int{alone.rgba[i]}));
+  EXPECT_LE(largest, 2) << "the picture is placed by interpolation";
 }
 
 TEST_F(ComparisonTest, GoingToTheComparedBranchLetsTheTwoChangePlaces) {

@@ -65,5 +65,16 @@ TEST_F(ComparisonOverlay, TheTextLiesInTheView) {
   EXPECT_LE(text.maximum.y, view.maximum.y);
 }
 
+TEST_F(ComparisonOverlay, NamesStayClearOfTheCardThatSaysWhyItStopped) {
+  ui_.state.stop = Stop{"Node 12 cracks in the next step, at 161 % of its resistance.", NodeId(12), {}};
+  compare();
+  const WidgetTag& button = *find_tag(ui_.tags, "time/holding");
+  for (const char* name : {"compare/left", "compare/right"}) {
+    const WidgetTag* tag = find_tag(ui_.tags, name);
+    ASSERT_TRUE(tag) << name;
+    EXPECT_GT(tag->minimum.y, button.maximum.y) << name;
+  }
+}
+
 }  // namespace
 }  // namespace griffith::ui

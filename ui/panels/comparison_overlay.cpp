@@ -40,25 +40,28 @@ void drag_border(Panel& panel) {
   list->AddCircleFilled({x, low.y + size.y / 2}, 5 * scale, palette::kAccent);
 }
 
-void draw_card_text(const Panel& panel, ImVec2 corner, float width, const std::string& text) {
+/// Draws text on a card and tags it. `corner`, `width`: of the text.
+void draw_card_text(Panel& panel, const char* tag, ImVec2 corner, float width, const std::string& text) {
   const float scale = ui_scale(panel), padding = 8 * scale;
   const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
+  const ImVec2 low = {corner.x - padding, corner.y - padding / 2};
+  const ImVec2 high = {corner.x + size.x + padding, corner.y + size.y + padding / 2};
   ImDrawList* list = ImGui::GetWindowDrawList();
-  list->AddRectFilled({corner.x - padding, corner.y - padding / 2},
-                      {corner.x + size.x + padding, corner.y + size.y + padding / 2}, IM_COL32(24, 27, 32, 200),
-                      6 * scale);
+  draw_card(list, low, high, scale);
   list->AddText(nullptr, 0, corner, palette::kText, text.c_str(), nullptr, width);
+  panel.tags.push_back({tag, low, high, text});
 }
 
-/// Labels the branches on both sides of the border.
-void draw_names(const Panel& panel) {
-  const float scale = ui_scale(panel), gap = 16 * scale;
+/// Labels the branches on both sides of the border, below the card that says why the simulation stopped.
+void draw_names(Panel& panel) {
+  const float scale = ui_scale(panel), gap = 16 * scale, stop = stop_card_height(panel);
   const auto [low, size] = area(panel);
-  const float x = low.x + panel.state.comparison.border * size.x, y = low.y + 18 * scale;
+  const float x = low.x + panel.state.comparison.border * size.x;
+  const float y = low.y + (18 + (stop > 0 ? 14 : 0)) * scale + stop;
   const std::string left = "branch " + std::to_string(panel.input.time.branch);
   const std::string right = "branch " + std::to_string(panel.input.comparison->branch);
-  draw_card_text(panel, {x - gap - ImGui::CalcTextSize(left.c_str()).x, y}, 0, left);
-  draw_card_text(panel, {x + gap, y}, 0, right);
+  draw_card_text(panel, "compare/left", {x - gap - ImGui::CalcTextSize(left.c_str()).x, y}, 0, left);
+  draw_card_text(panel, "compare/right", {x + gap, y}, 0, right);
 }
 
 /// Describes the difference of the branches, above the hints.
@@ -67,11 +70,7 @@ void draw_difference(Panel& panel) {
   const auto [low, size] = area(panel);
   const float scale = ui_scale(panel), margin = 22 * scale, width = size.x - 2 * margin;
   const float height = ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y;
-  draw_card_text(panel, {low.x + margin, low.y + size.y - 58 * scale - height}, width, text);
-  panel.tags.push_back({"compare/difference",
-                        {low.x + margin, low.y + size.y - 58 * scale - height},
-                        {low.x + margin + width, low.y + size.y - 58 * scale},
-                        text});
+  draw_card_text(panel, "compare/difference", {low.x + margin, low.y + size.y - 58 * scale - height}, width, text);
 }
 
 }  // namespace

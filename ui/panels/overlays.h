@@ -28,6 +28,9 @@ void draw_view_names(Panel& panel);
 /// Draws a dark rounded card behind text over the picture.
 void draw_card(ImDrawList* list, ImVec2 low, ImVec2 high, float scale);
 
+/// Returns the height of the card at the top that says why the simulation stopped; 0 without one [pixels].
+float stop_card_height(const Panel& panel);
+
 /// Draws cards with the limits of the shown result below the upper left corner of the view: scaled impacts, overlaps,
 /// missed convergence. Their tooltips say what to do.
 void draw_view_warnings(Panel& panel, ImVec2 corner);

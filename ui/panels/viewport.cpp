@@ -127,12 +127,12 @@ float end_of_free_top(const Panel& panel, ImVec2 corner, ImVec2 end) {
 
 /// Shows the reason why the simulation stopped by itself, with the search for the value that would have held.
 void draw_stop_card(Panel& panel, ImVec2 corner, ImVec2 end) {
-  if (!panel.state.stop || panel.state.microsteps) return;
+  const float height = stop_card_height(panel);
+  if (height == 0) return;
   const std::string& reason = panel.state.stop->reason;
   const bool can_explain = panel.state.stop->node.valid();
   const float scale = ui_scale(panel), margin = 14 * scale, padding = 12 * scale;
   const float width = std::max(ImGui::CalcTextSize(reason.c_str()).x + 2 * padding, 230 * scale);
-  const float height = (can_explain ? ImGui::GetFrameHeight() + 8 * scale : 0) + ImGui::GetFontSize() + padding;
   const float most = end_of_free_top(panel, corner, end) - width - margin / 2;  // between other cards
   const ImVec2 low = {std::max(corner.x, std::min((corner.x + end.x - width) / 2, most)), corner.y + margin};
   draw_card(ImGui::GetWindowDrawList(), low, {low.x + width, low.y + height}, scale);
@@ -185,6 +185,13 @@ void draw_view(Panel& panel) {
 }
 
 }  // namespace
+
+float stop_card_height(const Panel& panel) {
+  if (!panel.state.stop || panel.state.microsteps) return 0;
+  const float scale = ui_scale(panel), padding = 12 * scale;
+  const float button = panel.state.stop->node.valid() ? ImGui::GetFrameHeight() + 8 * scale : 0;
+  return button + ImGui::GetFontSize() + padding;
+}
 
 void draw_card(ImDrawList* list, ImVec2 low, ImVec2 high, float scale) {
   list->AddRectFilled(low, high, IM_COL32(24, 27, 32, 200), 6 * scale);
