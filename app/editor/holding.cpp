@@ -12,18 +12,29 @@
 namespace griffith::app {
 namespace {
 
-/// Makes a step. True if the body does not crack at that place; a change of thickness moves its nodes by rounding
+/// Makes a step and returns its cracks, with that at a place of a body. A change of thickness moves nodes by rounding
 /// errors.
-bool steps_whole(World& world, int scene_body, const Vec3& place, const Monitor& monitor) {
+StepCracks step_to_cracks(World& world, int scene_body, const Vec3& place, const Monitor& monitor) {
   constexpr double kRounding = 1e-9;
   if (monitor.is_cancelled()) throw Cancelled();
   const std::size_t known = world.frame().crack_events.size();
   world.step();
+  const std::span<const CrackEvent> events = world.frame().crack_events.subspan(known);
+  StepCracks cracks;
+  cracks.all = static_cast<int>(events.size());
   const Frame frame = world.frame();
-  return std::ranges::none_of(frame.crack_events.subspan(known), [&](const CrackEvent& event) {
+  const auto here = std::ranges::find_if(events, [&](const CrackEvent& event) {
     return frame.bodies[event.body].scene_body == scene_body &&
            (event.rest_position - place).norm() <= kRounding * (1 + place.norm());
   });
+  if (here == events.end()) return cracks;
+  cracks.utilization = here->load / here->resistance;
+  cracks.before = static_cast<int>(here - events.begin());
+  return cracks;
+}
+
+bool steps_whole(World& world, int scene_body, const Vec3& place, const Monitor& monitor) {
+  return !step_to_cracks(world, scene_body, place, monitor).utilization;
 }
 
 bool node_holds(World world, const RunToCrack& run, const Monitor& monitor) {
@@ -73,14 +84,16 @@ CriticalFactor critical_factor(const std::function<bool(double)>& holds, double 
   return found;
 }
 
-CriticalFactor critical_strength_factor(const World& before, int scene_body, NodeId node, const Monitor& monitor) {
-  const Material material = before.frame().materials[scene_body];
+StepCracks cracks_of_step(World before, int scene_body, NodeId node, double factor, const Monitor& monitor) {
   const Vec3 place = before.frame().nodes.rest_positions[node];
+  before.set_material(scene_body, stronger(before.frame().materials[scene_body], factor));
+  return step_to_cracks(before, scene_body, place, monitor);
+}
+
+CriticalFactor critical_strength_factor(const World& before, int scene_body, NodeId node, const Monitor& monitor) {
   return critical_factor([&](double factor) {
     monitor.enter(rounded_text(factor, 3) + " times the strength");
-    World world = before;
-    world.set_material(scene_body, stronger(material, factor));
-    return steps_whole(world, scene_body, place, monitor);
+    return !cracks_of_step(before, scene_body, node, factor, monitor).utilization;
   });
 }
 

@@ -25,6 +25,17 @@ struct CriticalFactor {
 /// `largest`. If it is not monotone, one of the transitions is found.
 CriticalFactor critical_factor(const std::function<bool(double)>& holds, double largest = 1024);
 
+/// Cracks of a step.
+struct StepCracks {
+  std::optional<double> utilization;  ///< of the first crack at a node, load over resistance; none: it held
+  int before = 0;                     ///< cracks that opened before that one
+  int all = 0;
+};
+
+/// Repeats the next step of `before` with a body `factor` times as strong, and returns its cracks, with that at a node.
+/// Throws Cancelled.
+StepCracks cracks_of_step(World before, int scene_body, NodeId node, double factor, const Monitor& monitor = {});
+
 /// Returns the factor on the strength (tensile strength, toughness and other resistances) of a scene body from which no
 /// crack opens at a node in the next step of `before`, by repeating that step. Throws Cancelled.
 CriticalFactor critical_strength_factor(const World& before, int scene_body, NodeId node, const Monitor& monitor = {});

@@ -1,6 +1,7 @@
 #include "app/editor/holding_report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,23 @@ std::string instead_of(double now, double factor, const char* unit) {
   return format_quantity(factor * now, unit, 3) + " instead of " + format_quantity(now, unit, 3);
 }
 
-std::string strength_fact(const CriticalFactor& strength, const Material& material) {
+/// Explains why the critical strength is not that of the utilization at the crack; empty if it is.
+std::string of_utilization(const HoldingAnswer& answer) {
+  constexpr double kEqual = 0.02;  // the factor is known to within 1 %
+  const double factor = answer.strength.holds, utilization = answer.broken.utilization.value_or(factor);
+  if (std::abs(factor - utilization) <= kEqual * utilization) return "";
+  const std::string text = " It cracked at " + format_quantity(100 * utilization, "", 3) + " % of its resistance";
+  if (factor > utilization) return text + " while its load was rising: without that crack it has to bear more.";
+  if (answer.broken.before == 0)
+    return text + ", but was above " + format_quantity(100 * factor, "", 3) +
+           " % for less time than a crack takes to open.";
+  return text + " after " + std::to_string(answer.broken.before) +
+         " other cracks of that step had moved load to it; with the higher strength the step has " +
+         std::to_string(answer.held.all) + ".";
+}
+
+std::string strength_fact(const HoldingAnswer& answer, const Material& material) {
+  const CriticalFactor& strength = answer.strength;
   if (!strength.breaks_at_one)
     return "Strength: the node holds when the step is repeated, so there is no critical value.";
   if (!strength.found) return "Strength: in the next step it cracks at any strength.";
@@ -27,9 +44,7 @@ std::string strength_fact(const CriticalFactor& strength, const Material& materi
          instead_of(material.tensile_strength, strength.holds, "Pa") +
          (material.compressive_strength ? ", " + instead_of(*material.compressive_strength, strength.holds, "Pa")
                                         : "") +
-         " and " + instead_of(material.fracture_toughness, strength.holds, "Pa·√m") +
-         ". The utilization at the crack can differ: earlier cracks move load, and in a stronger body they may not "
-         "open.";
+         " and " + instead_of(material.fracture_toughness, strength.holds, "Pa·√m") + "." + of_utilization(answer);
 }
 
 /// Returns the common speed of all shots of a run; 0 if they differ or bodies have initial velocities.
@@ -90,7 +105,7 @@ ui::WorkReport holding_report(const HoldingAnswer& answer, const RunToCrack& run
   ui::WorkReport report;
   report.title = "What would have held node " + std::to_string(run.node.index()) + ":";
   const bool ended_early = answer.cancelled || !answer.problem.empty();
-  if (answer.strength.runs > 0) report.facts.push_back(strength_fact(answer.strength, run.material));
+  if (answer.strength.runs > 0) report.facts.push_back(strength_fact(answer, run.material));
   if (answer.speed || !ended_early) report.facts.push_back(speed_fact(answer.speed, run));
   if (answer.thickness || !ended_early) report.facts.push_back(thickness_fact(answer.thickness, run));
   report.facts.push_back(trial_summary(answer));

@@ -30,6 +30,8 @@ HoldingAnswer HoldingSearch::search(const World& before) {
   HoldingAnswer answer;
   try {
     answer.strength = critical_strength_factor(before, run_.scene_body, run_.node, monitor);
+    answer.broken = cracks_of_step(before, run_.scene_body, run_.node, 1, monitor);
+    answer.held = cracks_of_step(before, run_.scene_body, run_.node, answer.strength.holds, monitor);
     answer.speed = critical_speed_factor(run_, monitor);
     answer.thickness = critical_thickness_factor(run_, monitor);
   } catch (const Cancelled&) {

@@ -14,6 +14,7 @@ namespace griffith::app {
 /// Changes with which a cracking node would have held.
 struct HoldingAnswer {
   CriticalFactor strength;  ///< factor on the strength in the next step
+  StepCracks broken, held;  ///< cracks of that step as it is, and with the strength that holds
   std::optional<CriticalFactor> speed,
       thickness;           ///< factors in the run; none: nothing moves, no thickness, or not tried
   std::string problem;     ///< reason why the search ended early; empty: none

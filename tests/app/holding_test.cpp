@@ -178,11 +178,54 @@ TEST(Holding, TheReportSaysWhatWasFoundAndWhatWasNot) {
   EXPECT_THAT(report.facts[0], HasSubstr("1.25 times the strength"));
   EXPECT_THAT(report.facts[1], HasSubstr("20 m/s instead of 40 m/s"));
   EXPECT_TRUE(report.warnings.empty());
+  EXPECT_THAT(report.facts[0], ::testing::Not(HasSubstr("It cracked at"))) << "nothing to explain";
   answer.speed.reset();
   answer.cancelled = true;
   report = holding_report(answer, run);
   EXPECT_EQ(report.facts.size(), 2u) << "untried values are not reported";
   EXPECT_THAT(report.warnings[0], HasSubstr("Cancelled"));
+}
+
+TEST(Holding, TheReportExplainsAStrengthThatIsNotTheUtilizationAtTheCrack) {
+  RunToCrack run;
+  run.scene = small_wall();
+  HoldingAnswer answer;
+  answer.strength = {1.25, 1.26, true, true, 6};
+  const auto fact = [&] { return holding_report(answer, run).facts[0]; };
+  answer.broken = {.utilization = 1.265, .before = 0, .all = 3};
+  EXPECT_THAT(fact(), ::testing::Not(HasSubstr("It cracked at"))) << "the same, to within what was tried";
+  answer.broken = {.utilization = 5.57, .before = 12, .all = 40};
+  answer.held = {.utilization = {}, .before = 0, .all = 7};
+  EXPECT_THAT(fact(), HasSubstr("It cracked at 557 % of its resistance after 12 other cracks"));
+  EXPECT_THAT(fact(), HasSubstr("the step has 7"));
+  answer.broken.before = 0;
+  EXPECT_THAT(fact(), HasSubstr("above 126 %"));
+  answer.broken.utilization = 1.1;
+  EXPECT_THAT(fact(), HasSubstr("while its load was rising"));
+}
+
+TEST(Holding, TheCracksOfAStepAreThoseThatItThenHas) {
+  Timeline timeline{World(small_wall())};
+  const NodeId first = advance_to_crack(timeline);
+  ASSERT_TRUE(first.valid());
+  World world = timeline.world();
+  world.step();
+  const auto events = world.frame().crack_events;
+  const std::size_t known = timeline.world().frame().nodes.positions.size();
+  int tried = 0;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    const auto same = [&](const CrackEvent& event) { return event.rest_position == events[i].rest_position; };
+    if (static_cast<std::size_t>(events[i].node.index()) >= known) continue;  // made by the step
+    if (std::ranges::find_if(events, same) - events.begin() != static_cast<std::ptrdiff_t>(i)) continue;
+    const StepCracks cracks = cracks_of_step(timeline.world(), 0, events[i].node, 1);
+    ASSERT_TRUE(cracks.utilization);
+    EXPECT_EQ(*cracks.utilization, events[i].load / events[i].resistance);
+    EXPECT_EQ(cracks.before, static_cast<int>(i));
+    EXPECT_EQ(cracks.all, static_cast<int>(events.size()));
+    ++tried;
+  }
+  EXPECT_GT(tried, 0);
+  EXPECT_FALSE(cracks_of_step(timeline.world(), 0, first, 1000).utilization);
 }
 
 }  // namespace
