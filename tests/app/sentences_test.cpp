@@ -48,6 +48,10 @@ void expect_true(const Verdict& verdict, const NodeReport& report, const Frame& 
     EXPECT_GT(separation.utilization, 1) << text;
     EXPECT_EQ(verdict.kind, Verdict::Kind::overloaded) << text;
   }
+  if (has(text, "lasted")) {
+    EXPECT_GT(separation.utilization, 1) << text;
+    EXPECT_GT(frame.report.microsteps, 0) << text;
+  }
   if (verdict.kind == Verdict::Kind::holds) {
     EXPECT_TRUE(!cracked && separation.utilization <= 0.8) << text;
   }

@@ -13,6 +13,9 @@ namespace {
 // Utilizations: a node is close to fracture above the first; values below the second are rounding errors.
 constexpr double kNear = 0.8, kNoise = 1e-6;
 
+/// Duration of an overload in microsteps after which a crack opens.
+constexpr char kOverloadTime[] = "for most of the time in which a wave crosses an element";
+
 std::string percent(double fraction) { return format_quantity(100 * fraction, "", 3) + " %"; }
 
 /// Explains why overloaded material has not separated.
@@ -21,7 +24,9 @@ std::string reason_unbroken(const Frame& frame, bool fracture) {
   if (frame.report.cracks_postponed > 0)
     return "the limit of cracks per step was reached. It breaks in the next step if the load persists.";
   if (frame.report.cracks_suppressed > 0) return "the fragment would have been smaller than the scene allows.";
-  return "a crack nearby relieved it first, or all its elements lie on one side of the plane.";
+  const std::string others = "a crack nearby relieved it first, or all its elements lie on one side of the plane.";
+  return frame.report.microsteps > 0 ? std::string("the overload has not lasted ") + kOverloadTime + ", " + others
+                                     : others;
 }
 
 /// Describes a scaled impact. `what`: "Broke", "Its piece broke" or "Shown".
@@ -47,6 +52,13 @@ std::string breaking(const CrackEvent& event, std::string_view unit) {
   return text;
 }
 
+/// Explains why an overloaded node that cracks later has not cracked yet; empty if it is not, or other reasons may
+/// hold.
+std::string wait_for_crack(const Frame& frame, const NodeSeparation& separation) {
+  const bool waits = separation.utilization > 1 && frame.report.microsteps > 0 && frame.report.cracks_postponed == 0;
+  return waits ? std::string(": a crack opens once that has lasted ") + kOverloadTime : "";
+}
+
 /// Predicts the next step, or the rest of one that has `begun`.
 std::string about_to_crack(const ComingCrack& coming, bool begun, const Frame& frame, const NodeReport& report,
                            std::string_view unit) {
@@ -56,7 +68,7 @@ std::string about_to_crack(const ComingCrack& coming, bool begun, const Frame& f
                      percent(coming.utilization()) + " of the resistance.";
   if (std::isfinite(report.separation.resistance))
     text += std::string(begun ? " At this moment" : " In this step") + " the load is " +
-            percent(report.separation.utilization) + " of it.";
+            percent(report.separation.utilization) + " of it" + wait_for_crack(frame, report.separation) + ".";
   return text;
 }
 
