@@ -83,14 +83,16 @@ Camera orbit(const Camera& camera, float yaw, float pitch) {
 
 float height_at_target(const Camera& camera) { return 2 * distance_to_target(camera) * tangent_of_half_angle(camera); }
 
-Camera widen(const Camera& camera, float aspect) {
-  constexpr float kWide = 16.0f / 9, kWidest = 120;
-  if (aspect >= kWide) return camera;
+Camera contain(const Camera& camera, float shown, float aspect) {
+  constexpr float kWidest = 120;
+  if (aspect >= shown) return camera;
   Camera wide = camera;
-  const float angle = 2 * std::atan(tangent_of_half_angle(camera) * kWide / aspect) / kRadiansPerDegree;
+  const float angle = 2 * std::atan(tangent_of_half_angle(camera) * shown / aspect) / kRadiansPerDegree;
   wide.vertical_fov = std::min(angle, std::max(kWidest, camera.vertical_fov));
   return wide;
 }
+
+Camera widen(const Camera& camera, float aspect) { return contain(camera, 16.0f / 9, aspect); }
 
 Camera pan(const Camera& camera, float right, float up) {
   const Axes frame = axes(camera);

@@ -36,6 +36,10 @@ float height_at_target(const Camera& camera);
 /// Widens the field of view so that a picture narrower than 16:9 shows the same width as one of that shape, up to 120°.
 Camera widen(const Camera& camera, float aspect);
 
+/// Widens the field of view, up to 120°, so that a picture of shape `aspect` (width over height) contains all of one of
+/// shape `shown`.
+Camera contain(const Camera& camera, float shown, float aspect);
+
 /// Moves camera and target in the image plane, in units of the image's height at the target.
 Camera pan(const Camera& camera, float right, float up);
 

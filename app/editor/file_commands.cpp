@@ -192,7 +192,11 @@ const EditorCommand kFileCommands[] = {
       .hint = "Draw the pictures of the dialog Render",
       .argument = CommandArgument::path,
       .for_pictures = false},
-     [](Editor& e, const ui::Command& c) { e.files().begin_render(c); }},
+     [](Editor& e, const ui::Command& c) {
+       e.state().render.shown = true;  // again after an error
+       e.files().begin_render(c);
+       e.state().render.shown = false;
+     }},
     {{.name = "help.write_report",
       .label = "Write bug report",
       .hint = "Write the bug report to a file",

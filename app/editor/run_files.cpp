@@ -101,9 +101,10 @@ void RunFiles::begin_render(const ui::Command& command) {
   state_.running = false;
   const ExportedView view = viewport_.exported_view(run_.built());
   export_ = is_batch ? start_batch(document_.absolute_path().parent_path(), command.path, request)
-                     : start_render(command.path, request,
-                                    {run_.world(), run_.built(), viewport_.display(), viewport_.range(),
-                                     viewport_.camera(), view.view, view.hidden});
+                     : start_render(
+                           command.path, request,
+                           {run_.world(), run_.built(), viewport_.display(), viewport_.range(), view.camera,
+                            static_cast<float>(view.width) / static_cast<float>(view.height), view.view, view.hidden});
   state_.work = export_->stage();
 }
 

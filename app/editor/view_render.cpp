@@ -46,7 +46,9 @@ void check_output(const fs::path& path, const ui::RenderRequest& request) {
                      "use at most 400 million pixels");
   if (request.subject == RenderedSubject::turntable && is_video_path(path)) return check_video_path(path);
   if (path.extension() != ".png")
-    throw InputError(path.string(), "is not the name of a picture", "use the extension .png");
+    throw InputError(path.string(), "is not the name of a picture",
+                     request.subject == RenderedSubject::turntable ? "use .png, or for a video " + video_extensions()
+                                                                   : "use the extension .png");
   check_replaceable(picture_file(path, request, 0));
 }
 
@@ -60,7 +62,8 @@ class ViewRender : public RunExport {
         scene_(step.scene),
         display_(step.display),
         range_(step.range),
-        camera_(render::widen(step.camera, static_cast<float>(request.width) / static_cast<float>(request.height))),
+        camera_(render::contain(step.camera, step.aspect,
+                                static_cast<float>(request.width) / static_cast<float>(request.height))),
         view_(step.view),
         hidden_(step.hidden) {
     constexpr double kRate = 30;

@@ -14,7 +14,8 @@ struct RenderedStep {
   const Scene& scene;
   const EmbeddedDisplay& display;
   std::optional<Vec2> range;  ///< range of the colors
-  render::Camera camera;      ///< as it is before it is widened for narrow pictures
+  render::Camera camera;      ///< camera of the view's picture
+  float aspect = 1;           ///< width over height of that picture; all of it is in the drawn one
   ViewSettings view;
   HiddenBodies hidden;
 };

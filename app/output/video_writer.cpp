@@ -57,7 +57,7 @@ void check_video_path(const fs::path& path) {
   constexpr ProcessLimits kLimits = {.seconds = 20, .memory_bytes = std::int64_t{4} << 30};
   if (!run_process({"ffmpeg", "-version"}, kLimits).succeeded())
     throw InputError(path.string(), "cannot be written: ffmpeg is missing",
-                     "install it (Debian package ffmpeg), or write PNG files with -o");
+                     "install it (Debian package ffmpeg), or write numbered pictures (.png)");
 }
 
 VideoWriter::VideoWriter(fs::path path, int width, int height, double frames_per_second) : path_(std::move(path)) {

@@ -72,6 +72,7 @@ TEST_F(EditorRender, RefusesWhatItCannotDraw) {
   write(test_folder() / "still.jpg");
   ASSERT_TRUE(editor_.state().error);
   EXPECT_THAT(editor_.state().error->remedy, HasSubstr(".png"));
+  EXPECT_TRUE(request().shown) << "the dialog is there again once the error is closed";
   editor_.state().error.reset();
   request().width = request().height = 30000;
   write(test_folder() / "still.png");

@@ -108,6 +108,17 @@ TEST_F(CameraLaws, AWidenedPictureShowsAsMuchAcross) {
   }
 }
 
+TEST_F(CameraLaws, APictureThatContainsAnotherShowsAsMuchAcrossAndUp) {
+  for (int i = 0; i < 100; ++i) {
+    Camera from = camera();
+    from.vertical_fov = uniform(20, 50);
+    const float shown = uniform(0.7f, 3), aspect = uniform(0.7f, 3), height = height_at_target(from);
+    const float now = height_at_target(contain(from, shown, aspect));
+    EXPECT_NEAR(now, height * std::max(1.0f, shown / aspect), 1e-4f * now) << "no more than is needed";
+    EXPECT_GE(aspect * now, (1 - 1e-4f) * shown * height);
+  }
+}
+
 TEST_F(CameraLaws, ZoomScalesTheDistance) {
   const Camera from = camera();
   const Camera closer = zoom(from, 0.5f);
