@@ -21,7 +21,13 @@ void BackgroundStep::begin(NextStep next, std::optional<StepPicture> picture, co
   assert(!pending() && "one step at a time");
   start_ = start;
   begun_ = Clock::now();
-  result_ = std::async(std::launch::async, make, std::move(next), std::move(picture));
+  std::packaged_task<Made(NextStep, std::optional<StepPicture>)> task(make);
+  result_ = task.get_future();
+  thread_ = std::jthread(
+      [task = std::move(task), done = done_, next = std::move(next), picture = std::move(picture)]() mutable {
+        task(std::move(next), std::move(picture));
+        if (done) done();
+      });
 }
 
 bool BackgroundStep::wait_until(Clock::time_point deadline) const {
@@ -29,7 +35,7 @@ bool BackgroundStep::wait_until(Clock::time_point deadline) const {
 }
 
 double BackgroundStep::age() const {
-  if (!pending() || wait_until(Clock::time_point::min())) return 0;
+  if (!in_progress()) return 0;
   return std::chrono::duration<double>(Clock::now() - begun_).count();
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,10 +51,15 @@ class RunController {
   /// Makes the time steps that are due after `elapsed` [s] of real time, if the simulation runs.
   void advance(double elapsed);
   /// Lets advance() finish slow steps in the background while the window draws. This affects which steps are shown, but
-  /// no step itself.
-  void step_in_background() { waits_for_steps_ = false; }
-  /// True if a step is in progress in the background.
+  /// no step itself. `done`: called on their thread at the end of each.
+  void step_in_background(std::function<void()> done = {}) {
+    waits_for_steps_ = false;
+    background_.call_when_done(std::move(done));
+  }
+  /// True if a step is in progress in the background, or finished there and not taken.
   bool steps_in_background() const { return background_.pending(); }
+  /// True if the run waits for a step in the background: until it ends, there is no other picture.
+  bool waits_for_step() const { return state_.running && background_.in_progress(); }
   void fire(ProjectileBurst shot);
   /// Pulls a piece by a spring until release().
   void grab(const Grab& grab);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cfloat>
 #include <memory>
 #include <optional>
@@ -254,8 +255,9 @@ void begin_first_run(Editor& editor) {
               ui::LogSpan::advice);
 }
 
-/// Waits a limited time until there is something to draw. True if there is.
-bool wait_for_frame(FrameSchedule& schedule, double until_next) {
+/// Waits a limited time until there is something to draw. True if there is. `step_ended`: a step has woken the window;
+/// other than an event of the user, it asks for one frame alone.
+bool wait_for_frame(FrameSchedule& schedule, double until_next, std::atomic<bool>& step_ended) {
   constexpr double kInexact = 0.005;  // the wait may end early by so much [s]
   const double seconds = schedule.seconds_to_wait(until_next), until = glfwGetTime() + std::min(seconds, kLongestWait);
   if (seconds <= kDrawAtOnce) {
@@ -264,7 +266,7 @@ bool wait_for_frame(FrameSchedule& schedule, double until_next) {
   }
   glfwWaitEventsTimeout(std::min(seconds, kLongestWait));
   const bool woken = glfwGetTime() < until - kInexact;
-  if (woken) schedule.wake();
+  if (woken && !step_ended.exchange(false)) schedule.wake();
   return woken || seconds <= kLongestWait;
 }
 
@@ -289,14 +291,15 @@ void show_title(const Window& window, std::string& shown, std::string title) {
 }
 
 void loop(Editor& editor, ImGuiContextOwner& imgui, const Window& window, WindowInput& input,
-          std::optional<ScriptPlayer> player, PreferencesFile& preferences, int exit_after) {
+          std::optional<ScriptPlayer> player, PreferencesFile& preferences, int exit_after,
+          std::atomic<bool>& step_ended) {
   FrameSchedule schedule;
   std::string title;
   double last = glfwGetTime();
   for (int drawn = 0; !editor.requests().quit;) {
     const bool waits_for_reader = editor.state().caption && editor.state().caption->answer == ui::Caption::Answer::none;
     const bool plays = exit_after > 0 || (player && !waits_for_reader);
-    const bool draws = wait_for_frame(schedule, seconds_to_next_frame(editor, input, plays));
+    const bool draws = wait_for_frame(schedule, seconds_to_next_frame(editor, input, plays), step_ended);
     if (glfwWindowShouldClose(window.handle())) {
       glfwSetWindowShouldClose(window.handle(), GLFW_FALSE);
       editor.execute({.name = "file.quit"});
@@ -332,6 +335,7 @@ void run_editor(const EditorOptions& options) {
   std::optional<ScriptPlayer> player;
   if (!options.script.empty()) player.emplace(read_script(options.script), true);
   const Window window;
+  std::atomic<bool> step_ended = false;
   Editor editor(scene, options.scene, shown == scene ? nullptr : &shown);
   PreferencesFile preferences(preferences_path());
   editor.state().preferences = read_preferences(preferences, editor);
@@ -340,10 +344,13 @@ void run_editor(const EditorOptions& options) {
   editor.enable_autosave(state_folder());
   editor.scenes().show_thumbnails({this_program(), thumbnail_cache()});
   editor.scripting().use_macros(macro_folder());
-  editor.run().step_in_background();
+  editor.run().step_in_background([&step_ended] {
+    step_ended = true;
+    glfwPostEmptyEvent();
+  });
   editor.viewport().allow_drafts();
   if (!named) begin_first_run(editor);
-  loop(editor, imgui, window, input, std::move(player), preferences, options.exit_after);
+  loop(editor, imgui, window, input, std::move(player), preferences, options.exit_after, step_ended);
   if (!options.screenshot.empty()) save_picture(options.screenshot, window_image(window));
 }
 

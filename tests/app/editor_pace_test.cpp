@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <future>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -83,6 +84,26 @@ TEST_F(PaceTest, StepsInTheBackgroundLeaveWhatStepsInTurnLeave) {
   while (world.frame().step < step()) world.step();
   EXPECT_GE(step(), 12);
   EXPECT_EQ(hash(), world.state_hash());
+}
+
+TEST_F(PaceTest, WhileAStepLastsTheWindowDrawsAtMostItsProgress) {
+  begin_step();
+  if (editor_.run().waits_for_step()) {
+    EXPECT_GT(editor_.seconds_to_next_frame(), 0);
+  }
+  await_step();
+  EXPECT_EQ(editor_.seconds_to_next_frame(), 0) << "it is there";
+  editor_.state().running = false;
+}
+
+TEST(BackgroundStep, TellsWhenAStepCanBeTaken) {
+  std::promise<void> ended;
+  BackgroundStep background;
+  background.call_when_done([&] { ended.set_value(); });
+  background.begin({World(slow_wall()), {}}, std::nullopt, {0, 0});
+  ASSERT_EQ(ended.get_future().wait_for(std::chrono::minutes(1)), std::future_status::ready);
+  EXPECT_FALSE(background.in_progress());
+  EXPECT_TRUE(background.wait_until(BackgroundStep::Clock::time_point::min()));
 }
 
 TEST_F(PaceTest, AShotMeanwhileComesBeforeTheStepThatWasOnItsWay) {
