@@ -35,6 +35,7 @@ struct ScalarStyle {
   std::string quantity, unit;       ///< for the legend, e.g. "largest principal stress", "Pa"
   std::vector<int> histogram = {};  ///< for the legend: counts of values in equal parts of the range
   bool has_nan = false;             ///< for the legend: some values are not numbers
+  std::string plain = {};           ///< for the legend: meaning of the plain color; empty: it has none
 };
 
 /// Triangles with data per corner or per triangle. Everything but `positions` may be empty. Front faces are

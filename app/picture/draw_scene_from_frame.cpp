@@ -119,6 +119,9 @@ render::ScalarStyle scalar_style(const ViewSettings& view, const QuantityValues&
 /// True if materials have their natural colors.
 bool shows_materials(const ViewSettings& view) { return view.quantity == "material" || view.quantity == "texture"; }
 
+/// Color of bodies that move as a whole and so have no stress, darker than that of no stress in any map of colors.
+constexpr render::Rgb kRigidColor = {0.33f, 0.35f, 0.38f};
+
 /// Adds the edges of the wireframe, or the triangles of the bodies, to the picture.
 void add_elements(const ShownMesh& shown, const TetFilter& filter, const QuantityValues* values, TetId selected,
                   render::DrawScene& picture) {
@@ -145,6 +148,10 @@ void add_elements(const ShownMesh& shown, const TetFilter& filter, const Quantit
   picture.surface.scalar_style = style;
   picture.surface.opacity = static_cast<float>(view.opacity);
   if (values) add_scalars(triangles, shown.frame, *values, picture.surface);
+  if (values && follows_from_strain(view.quantity) && show_rigid(triangles, shown.frame, picture.surface)) {
+    picture.surface.color = kRigidColor;
+    picture.surface.scalar_style.plain = "rigid";
+  }
   if (shows_materials(view)) picture.surface.rests = rest_corners(triangles, shown.frame);
 }
 

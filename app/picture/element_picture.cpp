@@ -199,6 +199,16 @@ void add_scalars(const std::vector<PictureTriangle>& triangles, const Frame& fra
   }
 }
 
+bool show_rigid(const std::vector<PictureTriangle>& triangles, const Frame& frame, render::Surface& surface) {
+  bool any = false;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (!frame.bodies[frame.elements.bodies[triangles[i].tet]].rigid) continue;
+    surface.flags[i] = static_cast<std::uint8_t>((surface.flags[i] & ~render::kCrackFace) | render::kPlain);
+    any = true;
+  }
+  return any;
+}
+
 std::vector<render::Line> wireframe(const ShownMesh& shown, const QuantityValues* values,
                                     const render::ScalarStyle& style) {
   std::vector<render::Line> lines;

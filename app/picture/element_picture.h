@@ -45,6 +45,9 @@ std::vector<Eigen::Vector3f> rest_corners(const std::vector<PictureTriangle>& tr
 void add_scalars(const std::vector<PictureTriangle>& triangles, const Frame& frame, const QuantityValues& values,
                  render::Surface& surface);
 
+/// Gives the triangles of bodies that move as a whole their plain color. True if there are any.
+bool show_rigid(const std::vector<PictureTriangle>& triangles, const Frame& frame, render::Surface& surface);
+
 /// Returns all edges of the visible tets once, in the colors of the scalar, or gray without one.
 std::vector<render::Line> wireframe(const ShownMesh& shown, const QuantityValues* values,
                                     const render::ScalarStyle& style);

@@ -25,6 +25,22 @@ bool is_scalar(std::string_view key) {
   return quantity && quantity->has_values();
 }
 
+bool follows_from_strain(std::string_view key) {
+  const Quantity* quantity = find_view_quantity(key);
+  if (!quantity) return false;
+  if (place_of(*quantity) == ValuePlace::tet)
+    return !std::holds_alternative<double (*)(const ShapeSample&)>(quantity->function);
+  const auto* of_node = std::get_if<double (*)(const NodeSample&)>(&quantity->function);
+  if (!of_node) return false;
+  const NodeSeparation none = zero_separation();
+  NodeSeparation some = none;
+  some.eigenvalue = some.stress = some.utilization = 1;
+  const auto value = [&](const NodeSeparation& separation) {
+    return (*of_node)({Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), separation});
+  };
+  return value(some) != value(none);
+}
+
 std::vector<int> histogram(const QuantityValues& values, const Vec2& range, int bins) {
   std::vector<int> counts(static_cast<std::size_t>(bins), 0);
   for (const float value : values.values) {

@@ -12,6 +12,9 @@ namespace griffith::app {
 /// True if the quantity `key` has numeric values; false if it only distinguishes objects.
 bool is_scalar(std::string_view key);
 
+/// True if values of the quantity follow from strain, which bodies that move as a whole do not have.
+bool follows_from_strain(std::string_view key);
+
 /// Returns counts of the finite values in `bins` equal parts of the range; values beyond it count at its ends.
 std::vector<int> histogram(const QuantityValues& values, const Vec2& range, int bins);
 

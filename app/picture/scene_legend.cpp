@@ -78,9 +78,12 @@ std::optional<ui::Legend> scene_legend(const render::DrawScene& picture, bool lo
   if (style.quantity.empty()) return std::nullopt;
   ui::Legend legend{style.quantity, style.unit,     style.minimum, style.maximum, render::color_table(style.color_map),
                     locked,         style.histogram};
-  const auto byte = [](float c) { return static_cast<std::uint8_t>(std::lround(255 * c)); };
-  if (style.has_nan)
-    legend.nan_color = {{byte(render::kNanColor.r), byte(render::kNanColor.g), byte(render::kNanColor.b)}};
+  const auto add = [&](const render::Rgb& color, const std::string& meaning) {
+    const auto byte = [](float c) { return static_cast<std::uint8_t>(std::lround(255 * c)); };
+    legend.samples.push_back({{byte(color.r), byte(color.g), byte(color.b)}, meaning});
+  };
+  if (style.has_nan) add(render::kNanColor, "not a number");
+  if (!style.plain.empty()) add(picture.surface.color, style.plain);
   return legend;
 }
 

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <set>
 
 #include "app/picture/draw_scene_from_frame.h"
+#include "app/picture/scene_legend.h"
 #include "enclosed_volume.h"
 #include "program.h"
 #include "sim/world/world.h"
@@ -129,6 +131,33 @@ TEST(ElementPicture, ExplodedPiecesMoveApartAndKeepTheirShape) {
       const Vec3 apart = a.center_of_mass - b.center_of_mass;
       EXPECT_LT((shown.offsets[a.id] - shown.offsets[b.id] - 1.5 * apart).norm(), 1e-12);
     }
+}
+
+TEST(ElementPicture, ColorsOfStressAndLoadTellRigidPiecesFromUnloadedOnes) {
+  const Scene scene = small_wall();
+  World world(scene);
+  for (int step = 0; step < 46; ++step) world.step();
+  const Frame frame = world.frame();
+  const auto is_rigid = [](const BodyView& body) { return body.rigid; };
+  ASSERT_TRUE(std::ranges::any_of(frame.bodies, is_rigid) && !std::ranges::all_of(frame.bodies, is_rigid));
+  for (const char* quantity : {"von_mises", "pressure", "strain_energy", "utilization", "separation_eigenvalue",
+                               "speed", "displacement", "element_quality"}) {
+    ViewSettings view;
+    view.quantity = quantity;
+    const bool strained = std::string_view(quantity) != "speed" && std::string_view(quantity) != "displacement" &&
+                          std::string_view(quantity) != "element_quality";
+    const render::DrawScene drawn = draw_scene_from_frame(frame, embedded_display(frame, scene), scene, view, {});
+    for (std::size_t i = 0; i < drawn.surface.ids.size(); ++i) {
+      const bool rigid = frame.bodies[frame.elements.bodies[TetId(drawn.surface.ids[i])]].rigid;
+      EXPECT_EQ((drawn.surface.flags[i] & render::kPlain) != 0, rigid && strained) << quantity;
+    }
+    const std::optional<ui::Legend> legend = scene_legend(drawn, false);
+    ASSERT_TRUE(legend);
+    EXPECT_EQ(legend->samples.size(), strained ? 1u : 0u) << quantity;
+    if (strained) {
+      EXPECT_EQ(legend->samples[0].meaning, "rigid");
+    }
+  }
 }
 
 TEST(ElementPicture, OnlyCrackFacesHaveAnAge) {

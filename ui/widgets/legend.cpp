@@ -10,8 +10,9 @@
 namespace griffith::ui {
 namespace {
 
-constexpr float kLowest = 90;   // height of a card, in design pixels
-constexpr float kPadding = 12;  // design pixels between the card's edge and its content
+constexpr float kLowest = 90;          // height of a card, in design pixels
+constexpr float kSampleHeight = 1.6f;  // height of a sample, in heights of its text
+constexpr float kPadding = 12;         // design pixels between the card's edge and its content
 
 /// Returns 1, 2, 2.5 or 5 times a power of ten, at least `minimum`.
 double tick_step(double minimum) {
@@ -64,12 +65,14 @@ void draw_histogram(ImDrawList* list, const Legend& legend, ImVec2 minimum, ImVe
   }
 }
 
-/// Draws a sample of the color for values that are not numbers.
-void draw_nan_sample(ImDrawList* list, const Legend& legend, const Fonts& fonts, ImVec2 corner, float scale) {
-  const auto& color = *legend.nan_color;
+/// Draws the samples below each other.
+void draw_samples(ImDrawList* list, const Legend& legend, const Fonts& fonts, ImVec2 corner, float scale) {
   const float size = kSmallText * scale;
-  list->AddRectFilled(corner, {corner.x + 18 * scale, corner.y + size}, IM_COL32(color[0], color[1], color[2], 255));
-  list->AddText(fonts.small, size, {corner.x + 28 * scale, corner.y}, palette::kText, "not a number");
+  for (const auto& [color, meaning] : legend.samples) {
+    list->AddRectFilled(corner, {corner.x + 18 * scale, corner.y + size}, IM_COL32(color[0], color[1], color[2], 255));
+    list->AddText(fonts.small, size, {corner.x + 28 * scale, corner.y}, palette::kText, meaning.c_str());
+    corner.y += kSampleHeight * size;
+  }
 }
 
 void draw_ticks(ImDrawList* list, const Legend& legend, const Fonts& fonts, ImVec2 minimum, ImVec2 maximum,
@@ -150,13 +153,13 @@ void draw_legend(ImDrawList* list, const Legend& legend, const Fonts& fonts, con
   list->AddText(fonts.small, size, {corner.x + padding, corner.y + padding * 0.75f}, palette::kText,
                 written_title(legend).c_str());
   const ImVec2 bar = {corner.x + padding + bars_width(legend, picture, scale), corner.y + padding * 1.9f + size};
-  const float below = legend.nan_color ? 1.6f * size : 0;
+  const float below = kSampleHeight * size * static_cast<float>(legend.samples.size());
   const ImVec2 bar_end = {bar.x + 18 * scale, end.y - padding - size * 0.3f - below};
   if (bars_width(legend, picture, scale) > 0)
     draw_histogram(list, legend, {corner.x + padding, bar.y}, {bar.x - 2 * scale, bar_end.y});
   draw_color_bar(list, legend, bar, bar_end);
   draw_ticks(list, legend, fonts, bar, bar_end, scale);
-  if (legend.nan_color) draw_nan_sample(list, legend, fonts, {bar.x, bar_end.y + 0.6f * size}, scale);
+  draw_samples(list, legend, fonts, {bar.x, bar_end.y + 0.6f * size}, scale);
 }
 
 }  // namespace griffith::ui

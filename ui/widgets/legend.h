@@ -18,14 +18,20 @@ enum class LegendCorner { upper_right, upper_left, lower_right, lower_left };
 inline constexpr std::array<LegendCorner, 4> kLegendCorners = {LegendCorner::upper_right, LegendCorner::upper_left,
                                                                LegendCorner::lower_right, LegendCorner::lower_left};
 
+/// A color beside the scale.
+struct LegendSample {
+  std::array<std::uint8_t, 3> color;  ///< RGB
+  std::string meaning;
+};
+
 /// Meaning of the colors of a picture.
 struct Legend {
   std::string title, unit;
-  double minimum = 0, maximum = 1;       ///< values at the ends of the bar [unit]
-  std::span<const std::uint8_t> colors;  ///< RGBA bytes, lowest value first
-  bool locked = false;                   ///< the range was set by the user
-  std::vector<int> histogram = {};       ///< counts of values in equal parts of the range; may be empty
-  std::optional<std::array<std::uint8_t, 3>> nan_color = {};  ///< RGB, if some values are not numbers
+  double minimum = 0, maximum = 1;         ///< values at the ends of the bar [unit]
+  std::span<const std::uint8_t> colors;    ///< RGBA bytes, lowest value first
+  bool locked = false;                     ///< the range was set by the user
+  std::vector<int> histogram = {};         ///< counts of values in equal parts of the range; may be empty
+  std::vector<LegendSample> samples = {};  ///< colors of what has no value
   LegendCorner corner = LegendCorner::upper_right;
 };
 
