@@ -27,7 +27,7 @@ CriticalFactor critical_factor(const std::function<bool(double)>& holds, double 
 
 /// Cracks of a step.
 struct StepCracks {
-  std::optional<double> utilization;  ///< of the first crack at a node, load over resistance; none: it held
+  std::optional<double> utilization;  ///< utilization of the first crack at a node; none: it held
   int before = 0;                     ///< cracks that opened before that one
   int all = 0;
 };

@@ -181,6 +181,17 @@ TEST_F(RestOnScreen, RoundingNoiseIsShownAsNoEnergy) {
   }
 }
 
+TEST_F(RestOnScreen, RoundingNoiseIsShownAsNoContribution) {
+  editor_.run().step();
+  const auto nodes = static_cast<int>(editor_.run().frame().nodes.positions.size());
+  for (int node = 0; node < nodes; ++node) {
+    select_node(editor_.state(), editor_.run().frame(), NodeId(node));
+    draw(2);
+    EXPECT_THAT(value("value/Total"), Not(HasSubstr("e-"))) << node;
+    EXPECT_THAT(value("inspector/element/0"), Not(HasSubstr("e-"))) << node;
+  }
+}
+
 Scene wall_shot_three_times() {
   Scene scene = shot_wall();
   scene.projectiles[0].count = 3;

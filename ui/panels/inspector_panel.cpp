@@ -82,14 +82,25 @@ void coming_crack_rows(Panel& panel, const ComingCrack& coming, const Material& 
   hint(panel, "Now, before that:");
 }
 
+/// Formats a contribution, which is 0 if it is a rounding error of the forces that add up to it.
+std::string contribution_text(const NodeReport& report, double contribution) {
+  constexpr double kRoundOff = 1e-9;
+  double largest = 0;  // of the forces [N]; tensions are sums of one sign
+  for (const ElementContribution& element : report.elements)
+    largest = std::max({largest, element.force.tensile.norm(), element.force.compressive.norm()});
+  const bool is_noise = !report.by_tension && std::abs(contribution) < kRoundOff * largest;
+  return format_quantity(is_noise ? 0 : contribution, contribution_unit(report), 3);
+}
+
 /// Draws one ranked element; a click selects it.
-void element_row(Panel& panel, const ElementContribution& element, const char* unit, std::size_t rank) {
+void element_row(Panel& panel, const NodeReport& report, std::size_t rank) {
+  const ElementContribution& element = report.elements[rank];
   char text[96];
   std::snprintf(text, sizeof text, "%zu   element %d, %s", rank + 1, element.tet.index(),
                 element.above ? "above" : "below");
   const bool selected = panel.state.selection.tet == element.tet;
   if (ImGui::Selectable((std::string(text) + "##share").c_str(), selected)) panel.state.selection.tet = element.tet;
-  const std::string contribution = format_quantity(element.contribution, unit, 3);
+  const std::string contribution = contribution_text(report, element.contribution);
   tag_last_item(panel.tags, "inspector/element/" + std::to_string(rank), contribution);
   tooltip("Tensile force " + format_quantity(element.force.tensile.norm(), "N", 3) + " along " +
           direction_text(element.force.tensile.normalized()) + "\nCompressive force " +
@@ -101,22 +112,21 @@ void element_row(Panel& panel, const ElementContribution& element, const char* u
 }
 
 void contribution_rows(Panel& panel, const NodeReport& report) {
-  const char* unit = contribution_unit(report);
   hint(panel, "Contributions of the elements, largest first:");
   const std::size_t listed = std::min(report.elements.size(), kMaxElements);
-  for (std::size_t i = 0; i < listed; ++i) element_row(panel, report.elements[i], unit, i);
+  for (std::size_t i = 0; i < listed; ++i) element_row(panel, report, i);
   double others = 0;
   for (std::size_t i = listed; i < report.elements.size(); ++i) others += report.elements[i].contribution;
   if (listed < report.elements.size())
     value_row(panel, (std::to_string(report.elements.size() - listed) + " more elements").c_str(),
-              format_quantity(others, unit, 3), palette::kText);
+              contribution_text(report, others), palette::kText);
   if (report.balance != 0) {
-    value_row(panel, "Unbalanced force", format_quantity(report.balance, "N", 3), palette::kText);
+    value_row(panel, "Unbalanced force", contribution_text(report, report.balance), palette::kText);
     tooltip(
         "Contribution of the sums of the tensile and compressive forces, which is subtracted: balanced forces pull the "
         "node apart, an unbalanced one accelerates it.");
   }
-  value_row(panel, "Total", format_quantity(report.sum(), unit, 3), palette::kText);
+  value_row(panel, "Total", contribution_text(report, report.sum()), palette::kText);
 }
 
 void event_rows(const Panel& panel, const NodeReport& report) {
