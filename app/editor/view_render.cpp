@@ -9,6 +9,7 @@
 
 #include "app/output/output.h"
 #include "app/output/video_writer.h"
+#include "app/picture/exposure.h"
 #include "app/picture/large_picture.h"
 #include "app/picture/picture_options.h"
 #include "app/shared/processes.h"
@@ -67,6 +68,10 @@ class ViewRender : public RunExport {
         view_(step.view),
         hidden_(step.hidden) {
     constexpr double kRate = 30;
+    if (request.poster) {
+      exposures_ = exposures(kPosterExposures, kPosterTimes);
+      view_.quality = PictureQuality::high;
+    }
     if (is_video_path(path_)) video_.emplace(path_, request.width, request.height, kRate);
   }
 
@@ -75,23 +80,38 @@ class ViewRender : public RunExport {
       announced_ = true;
       return std::nullopt;
     }
-    write(picture());
+    if (request_.poster && !expose()) return std::nullopt;
+    write(request_.poster ? std::exchange(sum_, {}).mean() : drawn(world_.frame(), camera()));
     if (++next_ < picture_count(request_)) return std::nullopt;
     if (video_) video_->finish();
     return text_of_written();
   }
   std::string stage() const override {
-    return "Drawing picture " + std::to_string(next_ + 1) + " of " + std::to_string(picture_count(request_));
+    const std::string exposure =
+        request_.poster ? ", exposure " + std::to_string(exposed_ + 1) + " of " + std::to_string(kPosterExposures) : "";
+    return "Drawing picture " + std::to_string(next_ + 1) + " of " + std::to_string(picture_count(request_)) + exposure;
   }
   std::string cancel() override { return video_ || next_ == 0 ? "" : text_of_written(); }
 
  private:
-  render::Image picture() {
-    const render::DrawScene drawn = draw_scene_from_frame(world_.frame(), display_, scene_, view_, {}, range_, hidden_);
+  /// Returns the camera of the next picture.
+  render::Camera camera() const {
     const double turn = 2 * std::numbers::pi * next_ / picture_count(request_);
-    const render::Camera camera = next_ == 0 ? camera_ : render::orbit(camera_, static_cast<float>(turn), 0);
-    return large_picture(renderer_, drawn, camera,
+    return next_ == 0 ? camera_ : render::orbit(camera_, static_cast<float>(turn), 0);
+  }
+
+  render::Image drawn(const Frame& frame, const render::Camera& camera) {
+    return large_picture(renderer_, draw_scene_from_frame(frame, display_, scene_, view_, {}, range_, hidden_), camera,
                          picture_options(request_.width, request_.height, std::nullopt, view_));
+  }
+
+  /// Adds an exposure to the next picture. True if it was the last one.
+  bool expose() {
+    const Exposure& exposure = exposures_[exposed_];
+    const LaterFrame later(world_.frame(), kShutter * scene_.simulation.time_step * exposure.time);
+    sum_.add(drawn(later.frame(), exposed(camera(), exposure, request_.height)));
+    exposed_ = (exposed_ + 1) % exposures_.size();
+    return exposed_ == 0;
   }
 
   void write(const render::Image& image) {
@@ -114,6 +134,9 @@ class ViewRender : public RunExport {
   HiddenBodies hidden_;
   render::Renderer renderer_;
   std::optional<VideoWriter> video_;
+  std::vector<Exposure> exposures_;  ///< exposures of each picture of a poster; else none
+  std::size_t exposed_ = 0;          ///< number of those of the next picture so far
+  ImageSum sum_;                     ///< their sum
   bool announced_ = false;
   int next_ = 0;
 };
@@ -140,9 +163,10 @@ class BatchRender : public RunExport {
   BatchRender(const fs::path& scenes, fs::path pictures, const ui::RenderRequest& request)
       : pictures_(std::move(pictures)) {
     const std::string size = std::to_string(request.width) + "x" + std::to_string(request.height);
-    const std::vector<std::string> command = {
+    std::vector<std::string> command = {
         this_program(), "render", scenes.string(),   "--frame", std::to_string(request.step), "--size",
         size,           "-o",     pictures_.string()};
+    if (request.poster) command.insert(command.end(), {"--quality", "poster"});
     result_ = std::async(std::launch::async, [this, command] {
       const LowPriority background;
       return run(command);

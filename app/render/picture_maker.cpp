@@ -8,13 +8,13 @@
 
 #include "app/editor/imgui_context_owner.h"
 #include "app/picture/draw_scene_from_frame.h"
+#include "app/picture/exposure.h"
 #include "app/picture/large_picture.h"
 #include "app/picture/named_view.h"
 #include "app/picture/picture_options.h"
 #include "app/picture/scene_camera.h"
 #include "app/picture/scene_legend.h"
 #include "app/picture/steady_range.h"
-#include "app/render/exposure.h"
 #include "app/render/picture_text.h"
 #include "renderer/target.h"
 
@@ -112,12 +112,11 @@ struct PictureMaker::Impl {
   /// Draws the mean of many exposures of a part. `matte`: instead of ground and background.
   PaintedPicture exposed_part(const Frame& frame, const Viewpoint& viewpoint,
                               const std::optional<render::Background>& matte, const render::RenderOptions& part) {
-    constexpr int kExposures = 48, kTimes = 12;
-    const double open = 0.5 * scene.simulation.time_step;  // a shutter of half a turn
+    const double open = kShutter * scene.simulation.time_step;
     ImageSum sum;
     render::DrawScene drawn;
     double time = 1;  // of `drawn`: none yet
-    for (const Exposure& exposure : exposures(kExposures, kTimes)) {
+    for (const Exposure& exposure : exposures(kPosterExposures, kPosterTimes)) {
       if (exposure.time != time) drawn = draw_scene(LaterFrame(frame, open * exposure.time).frame(), viewpoint);
       if (matte) put_before(*matte, drawn);
       time = exposure.time;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
 
 #include "editor_fixture.h"
@@ -56,6 +57,29 @@ TEST_F(EditorRender, ATurntableIsNumberedAndBeginsWithTheView) {
   EXPECT_EQ(render::load_png(test_folder() / "turn_000.png"), render::load_png(test_folder() / "still.png"));
   EXPECT_NE(render::load_png(test_folder() / "turn_001.png"), render::load_png(test_folder() / "turn_003.png"));
   EXPECT_FALSE(fs::exists(test_folder() / "turn_004.png"));
+}
+
+TEST_F(EditorRender, APosterIsTheMeanOfItsExposures) {
+  request().width = 160;
+  request().height = 90;
+  write(test_folder() / "still.png");
+  request().shown = true;
+  draw(2);
+  click("render/quality");
+  click("render/quality/poster");
+  ASSERT_TRUE(request().poster);
+  request().shown = false;
+  draw(2);
+  write(test_folder() / "poster.png");
+  write(test_folder() / "again.png");
+  const render::Image poster = render::load_png(test_folder() / "poster.png");
+  const render::Image still = render::load_png(test_folder() / "still.png");
+  ASSERT_EQ(poster.rgba.size(), still.rgba.size());
+  EXPECT_EQ(poster, render::load_png(test_folder() / "again.png"));
+  EXPECT_NE(poster, still);
+  double difference = 0;
+  for (std::size_t i = 0; i < poster.rgba.size(); ++i) difference += std::abs(poster.rgba[i] - still.rgba[i]);
+  EXPECT_LT(difference / static_cast<double>(poster.rgba.size()), 12) << "of the same view";
 }
 
 TEST_F(EditorRender, PicturesOfOthersAreNotReplacedUnasked) {

@@ -1,4 +1,4 @@
-#include "app/render/exposure.h"
+#include "app/picture/exposure.h"
 
 #include <gtest/gtest.h>
 

@@ -54,6 +54,12 @@ void number_rows(Panel& panel, RenderRequest& request) {
   if (request.subject == RenderedSubject::scenes) row("render/step", "Time steps before", kMaxStep, request.step, 0);
 }
 
+void quality_row(Panel& panel, RenderRequest& request) {
+  static const std::vector<std::string> kLabels = {"as in the view", "poster"};
+  const int chosen = combo_row(panel, "render/quality", "Quality", kLabels, kLabels[request.poster]);
+  if (chosen >= 0) request.poster = chosen == 1;
+}
+
 /// Draws the field of the path. True if it was entered.
 bool path_row(Panel& panel, RenderRequest& request) {
   if (request.path.empty()) request.path = subject_of(request).path;
@@ -70,6 +76,7 @@ void draw_render_dialog(Panel& panel) {
   if (!begin_dialog(panel, "Render", request.shown, 480)) return;
   subject_row(panel, request);
   number_rows(panel, request);
+  quality_row(panel, request);
   const bool entered = path_row(panel, request), left = escape_left_untyped();
   // A new scene has no path yet.
   const std::filesystem::path folder =
@@ -78,6 +85,9 @@ void draw_render_dialog(Panel& panel) {
   hint(panel, path.string());
   tag_last_item(panel.tags, "render/whole_path", path.string());
   hint(panel, subject_of(request).hint);
+  if (request.poster)
+    hint(panel,
+         "Poster: the mean of 48 pictures in high quality, with depth of field and motion blur, without legend.");
   ImGui::Spacing();
   const float width = 120 * ui_scale(panel);
   const bool rendered = (text_button(panel, "render/render", "Render", width) || entered) && !request.path.empty();

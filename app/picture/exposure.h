@@ -15,6 +15,11 @@ struct Exposure {
   double time = 0;        ///< as a part of the shutter's time, -1..0
 };
 
+/// Number of exposures of a poster, and of their times.
+inline constexpr int kPosterExposures = 48, kPosterTimes = 12;
+/// Fraction of a time step for which the shutter of a poster is open: half a turn.
+inline constexpr double kShutter = 0.5;
+
 /// Returns exposures in the order of their times, of which there are `times`; `count` is a multiple of it. They are the
 /// same in every run.
 std::vector<Exposure> exposures(int count, int times);
