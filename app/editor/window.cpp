@@ -260,7 +260,7 @@ void begin_first_run(Editor& editor) {
 bool wait_for_frame(FrameSchedule& schedule, double until_next, std::atomic<bool>& step_ended) {
   constexpr double kInexact = 0.005;  // the wait may end early by so much [s]
   const double seconds = schedule.seconds_to_wait(until_next), until = glfwGetTime() + std::min(seconds, kLongestWait);
-  if (seconds <= kDrawAtOnce) {
+  if (step_ended.exchange(false) || seconds <= kDrawAtOnce) {
     glfwPollEvents();
     return true;
   }
