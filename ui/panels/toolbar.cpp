@@ -92,21 +92,23 @@ void pace_warning(const Panel& panel, float end) {
 void times(const Panel& panel, float end) {
   if (!panel.state.show_times) return;
   char text[64];
-  const auto show = [&](const char* tag) {
-    if (text_before(panel, end, palette::kTextDim, text)) tag_last_item(panel.tags, tag, text);
+  const auto show = [&](const char* tag, const char* meaning) {
+    if (!text_before(panel, end, palette::kTextDim, text)) return;
+    tag_last_item(panel.tags, tag, text);
+    tooltip(meaning);
   };
   if (panel.input.step_milliseconds > 0) {  // a step was made
     const double duration = panel.input.step_milliseconds;
     std::snprintf(text, sizeof text, duration < 0.1 ? "%.2g ms/step" : "%.1f ms/step", duration);
-    show("toolbar/step_time");
+    show("toolbar/step_time", "Time that a step takes, smoothed. Its picture comes on top.");
   }
   if (!panel.state.running) return;  // the window draws only when something changes, so no time passes
   const double pictures = panel.input.frames_per_second;
   std::snprintf(text, sizeof text, pictures < 10 ? "%.2g fps" : "%.0f fps", pictures);
-  show("toolbar/pictures");
+  show("toolbar/pictures", "Pictures drawn per second. While a step lasts, only its progress is drawn.");
   if (panel.input.reached_speed <= 0) return;
   std::snprintf(text, sizeof text, "%.2g × real time", panel.input.reached_speed);
-  show("toolbar/speed_reached");
+  show("toolbar/speed_reached", "Simulated over real time, in the last two seconds.");
 }
 
 }  // namespace
