@@ -48,6 +48,7 @@ struct FrictionContact {
   Vec3 free_velocity = Vec3::Zero();  ///< velocity of a relative to b without impulses [m/s]
   Vec3 impulse = Vec3::Zero();        ///< on a: a guess before, the solution after [N·s]
   Vec3 given_back = Vec3::Zero();     ///< part of `impulse` by the phase of restitution, likewise [N·s]
+  Vec3 velocity = Vec3::Zero();       ///< relative velocity of a to b after the solution [m/s]
   double lift = -1;  ///< friction times sliding speed, likewise [m/s]; negative before: that of free_velocity
 };
 

@@ -18,14 +18,14 @@ struct Restitution {
 
 bool rebounds(const FrictionContact& contact) { return contact.rebound > 0 && contact.impulse[0] > 0; }
 
-Restitution restitution_after(std::span<const FrictionContact> compressed, const Eigen::Matrix3Xd& velocities) {
+Restitution restitution_after(std::span<const FrictionContact> compressed) {
   Restitution next{{compressed.begin(), compressed.end()}, {}};
   for (std::size_t i = 0; i < compressed.size(); ++i) {
     const FrictionContact& before = compressed[i];
     FrictionContact& contact = next.contacts[i];
     const double approach = before.target_velocity - before.free_velocity[0];
     const double share = rebounds(before) && approach > 0 ? before.rebound / approach : 0;
-    contact.free_velocity = velocities.col(static_cast<Eigen::Index>(i));
+    contact.free_velocity = before.velocity;
     contact.impulse = Vec3(share * before.impulse[0], 0, 0);
     next.least_impulses.push_back(contact.impulse[0]);
     next.energy -= before.impulse.dot(before.free_velocity + contact.free_velocity) / 2;
@@ -42,6 +42,7 @@ void add(const ContactOutcome& more, std::span<const FrictionContact> contacts, 
   for (std::size_t i = 0; i < into.size(); ++i) {
     into[i].given_back = contacts[i].impulse;
     into[i].impulse += contacts[i].impulse;
+    into[i].velocity = contacts[i].velocity;
     into[i].lift = contacts[i].lift;
   }
   outcome.report.newton_steps += more.report.newton_steps;
@@ -51,20 +52,29 @@ void add(const ContactOutcome& more, std::span<const FrictionContact> contacts, 
 
 }  // namespace
 
-ContactSolveReport solve_contact_problem(std::span<const DeformableInertia> deformable,
-                                         std::span<const RigidInertia> rigid, std::span<FrictionContact> contacts,
+ContactSolveReport solve_contact_problem(ContactSystem& system, std::span<FrictionContact> contacts,
                                          const ContactTolerance& tolerance, std::vector<NodeVectors>& changes) {
   for (FrictionContact& contact : contacts) contact.impulse -= std::exchange(contact.given_back, Vec3::Zero());
-  ContactOutcome outcome = solve_rounds(deformable, rigid, {contacts}, tolerance);
+  ContactPhase compression{contacts};
+  if (tolerance.continues && system.compressed) compression.start = &*system.compressed;
+  ContactOutcome outcome = solve_rounds(system, compression, tolerance);
+  system.compressed = outcome.unknowns;
   if (std::ranges::any_of(contacts, rebounds)) {
-    Restitution next = restitution_after(contacts, outcome.velocities);
+    Restitution next = restitution_after(contacts);
     ContactTolerance same_speeds = tolerance;
     same_speeds.negligible_speed = std::max(tolerance.negligible_speed, tolerance.relative * next.speed);
-    const ContactPhase phase{next.contacts, next.least_impulses, next.energy};
-    add(solve_rounds(deformable, rigid, phase, same_speeds), next.contacts, outcome, contacts);
+    const ContactPhase phase{next.contacts, next.least_impulses, nullptr, next.energy};
+    add(solve_rounds(system, phase, same_speeds), next.contacts, outcome, contacts);
   }
   changes = std::move(outcome.changes);
   return outcome.report;
+}
+
+ContactSolveReport solve_contact_problem(std::span<const DeformableInertia> deformable,
+                                         std::span<const RigidInertia> rigid, std::span<FrictionContact> contacts,
+                                         const ContactTolerance& tolerance, std::vector<NodeVectors>& changes) {
+  ContactSystem system(deformable, rigid, contacts);
+  return solve_contact_problem(system, contacts, tolerance, changes);
 }
 
 }  // namespace griffith

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/solver/contact_bodies.h"
+#include "sim/solver/contact_system.h"
 
 namespace griffith {
 
@@ -17,6 +17,7 @@ struct ContactSolveReport {
 struct ContactTolerance {
   double relative = 1e-4;          ///< fraction of the largest velocity change required by contacts
   double negligible_speed = 1e-9;  ///< [m/s]
+  bool contacts_alone = false;     ///< what bodies do away from contacts is not asked for: no `changes`
   bool continues = false;  ///< impulses are those of nearly the same problem: contacts begin as stiff as elements
   int max_rounds = 30, max_newton_steps = 60, max_iterations = 400;
 };
@@ -36,6 +37,9 @@ struct ContactTolerance {
 /// Bodies with factors take part with the rows that contacts touch alone (TouchedInverse).
 /// Writes the impulses of `contacts`, and `changes` y of the deformable bodies, one column a row [m/s]. The same bits
 /// for any number of threads.
+ContactSolveReport solve_contact_problem(ContactSystem& system, std::span<FrictionContact> contacts,
+                                         const ContactTolerance& tolerance, std::vector<NodeVectors>& changes);
+/// As above, of bodies whose contacts are solved once.
 ContactSolveReport solve_contact_problem(std::span<const DeformableInertia> deformable,
                                          std::span<const RigidInertia> rigid, std::span<FrictionContact> contacts,
                                          const ContactTolerance& tolerance, std::vector<NodeVectors>& changes);

@@ -20,23 +20,21 @@ NodeVectors velocities_of(const WholeMotion& whole, NodeVectors momentum) {
 
 ContactResponse::ContactResponse(const ContactBodies& bodies, const ContactMotion& motion,
                                  std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid,
-                                 std::span<const FrictionContact> contacts, double relative_residual,
-                                 int max_iterations)
+                                 std::span<const FrictionContact> contacts)
     : bodies_(bodies),
       motion_(motion),
       deformable_(deformable),
       all_rows_(deformable, rigid, none_condensed(deformable.size())),
       motion_of_all_rows_(all_rows_, deformable, contacts),
-      relative_residual_(relative_residual),
-      max_iterations_(max_iterations),
       changes_(deformable.size()) {}
 
-Eigen::Matrix3Xd ContactResponse::respond(const Eigen::Matrix3Xd& impulses, const Eigen::VectorXd& y) {
+Eigen::Matrix3Xd ContactResponse::respond(const Eigen::Matrix3Xd& impulses, const Eigen::VectorXd& y,
+                                          double relative_residual, int max_iterations) {
   Eigen::VectorXd on_rows = Eigen::VectorXd::Zero(all_rows_.size()), all(all_rows_.size());
   motion_of_all_rows_.add_impulses(impulses, on_rows);
   for (std::size_t i = 0; i < changes_.size(); ++i) {
     const NodeVectors on_body = all_rows_.change(i, on_rows);
-    changes_[i] = bodies_.condensed(i) ? respond_alone(deformable_[i], on_body, relative_residual_, max_iterations_)
+    changes_[i] = bodies_.condensed(i) ? respond_alone(deformable_[i], on_body, relative_residual, max_iterations)
                                        : bodies_.change(i, y);
     all.segment(all_rows_.first_of_deformable(i), changes_[i].size()) = changes_[i].reshaped();
     if (!bodies_.condensed(i)) make_whole_exact(i, on_body);

@@ -13,12 +13,13 @@ class ContactResponse {
   /// `bodies`, `motion`: the unknowns of the problem and what contacts feel of them; all stay.
   ContactResponse(const ContactBodies& bodies, const ContactMotion& motion,
                   std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid,
-                  std::span<const FrictionContact> contacts, double relative_residual, int max_iterations);
+                  std::span<const FrictionContact> contacts);
 
   /// Lets all rows respond to impulses along the axes of contacts, which gave the unknowns the change `y`. Returns the
   /// relative velocities at contacts that condensed bodies have beyond those of `y`, since their factors are those of
-  /// an earlier matrix.
-  Eigen::Matrix3Xd respond(const Eigen::Matrix3Xd& impulses, const Eigen::VectorXd& y);
+  /// an earlier matrix. Those stop at a residual of `relative_residual`.
+  Eigen::Matrix3Xd respond(const Eigen::Matrix3Xd& impulses, const Eigen::VectorXd& y, double relative_residual,
+                           int max_iterations);
   /// Returns the change of a body's rows by the last call, one column a row [m/s]. The momentum of the whole is exact.
   const NodeVectors& change(std::size_t body) const { return changes_[body]; }
 
@@ -30,8 +31,6 @@ class ContactResponse {
   std::span<const DeformableInertia> deformable_;
   ContactBodies all_rows_;
   ContactMotion motion_of_all_rows_;
-  double relative_residual_;
-  int max_iterations_;
   std::vector<NodeVectors> changes_;
 };
 

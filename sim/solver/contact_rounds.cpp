@@ -6,9 +6,6 @@
 #include <utility>
 
 #include "sim/solver/contact_cone.h"
-#include "sim/solver/contact_motion.h"
-#include "sim/solver/contact_preconditioner.h"
-#include "sim/solver/contact_response.h"
 #include "sim/solver/contact_softness.h"
 #include "sim/solver/linear_solvers.h"
 #include "sim/solver/zero_of.h"
@@ -24,17 +21,15 @@ constexpr double kRetry = 0.3;
 /// One round's convex problem and the rounds about it.
 class ContactSolver {
  public:
-  ContactSolver(std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid,
-                const ContactPhase& phase, const ContactTolerance& tolerance)
+  ContactSolver(ContactSystem& system, const ContactPhase& phase, const ContactTolerance& tolerance)
       : contacts_(phase.contacts),
         least_impulses_(phase.least_impulses),
         energy_(phase.energy),
         tolerance_(tolerance),
-        bodies_(deformable, rigid, condense(deformable, contacts_)),
-        motion_(bodies_, deformable, contacts_),
-        preconditioner_(bodies_, deformable, rigid, contacts_),
-        response_(bodies_, motion_, deformable, rigid, contacts_, kNewtonFraction * tolerance.relative,
-                  tolerance.max_iterations) {
+        bodies_(system.bodies),
+        motion_(system.motion),
+        preconditioner_(system.preconditioner),
+        response_(system.response) {
     const auto count = static_cast<Eigen::Index>(contacts_.size());
     round_.y = round_.a_y = Eigen::VectorXd::Zero(bodies_.size());
     round_.u.resize(3, count);
@@ -50,11 +45,15 @@ class ContactSolver {
       // What stuck goes on sticking, even where it could lift off as well (Painlevé 1895).
       const bool stuck = sticks(contact.impulse, contact.friction);
       round_.lifts[i] = contact.lift >= 0 ? contact.lift : stuck ? 0 : contact.friction * sliding;
-      course_.push_back(softness_of(deformable, rigid, contact));
+      course_.push_back(softness_of(system.deformable, system.rigid, contact));
       round_.softness.push_back(tolerance.continues ? course_[i].settled : course_[i].first);
       to_change_ = std::max({to_change_, contact.target_velocity - contact.free_velocity[0], stuck ? sliding : 0});
     }
     round_.outer_change = to_change_;
+    if (!phase.start) return;
+    round_.y = *phase.start;
+    bodies_.multiply(round_.y, round_.a_y);
+    round_.u += motion_.of(round_.y);
   }
 
   ContactSolveReport solve() {
@@ -81,13 +80,14 @@ class ContactSolver {
     if (!responded) respond();
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       contacts_[i].impulse = round_.impulses.col(i);
+      contacts_[i].velocity = round_.u.col(i);
       contacts_[i].lift = round_.found_lifts[i];
     }
     report_.unconverged = round_.unconverged;
     return report_;
   }
   const NodeVectors& change(std::size_t body) const { return response_.change(body); }
-  const Eigen::Matrix3Xd& velocities() const { return round_.u; }
+  const Eigen::VectorXd& unknowns() const { return round_.y; }
 
  private:
   double negligible_speed() const { return std::max(tolerance_.relative * to_change_, tolerance_.negligible_speed); }
@@ -215,7 +215,10 @@ class ContactSolver {
   /// Lets all rows of the bodies respond. False where contacts then do not move as condensed bodies let them: rounds go
   /// on from where they do.
   bool respond() {
-    const Eigen::Matrix3Xd beyond = response_.respond(round_.impulses, round_.y), change = beyond - round_.beyond;
+    if (tolerance_.contacts_alone) return true;
+    const Eigen::Matrix3Xd beyond = response_.respond(round_.impulses, round_.y, kNewtonFraction * tolerance_.relative,
+                                                      tolerance_.max_iterations),
+                           change = beyond - round_.beyond;
     round_.beyond = beyond;
     round_.u += change;
     const auto moved = static_cast<int>((change.colwise().norm().array() > negligible_speed()).count());
@@ -350,10 +353,10 @@ class ContactSolver {
   std::span<const double> least_impulses_;
   double energy_;
   ContactTolerance tolerance_;
-  ContactBodies bodies_;
-  ContactMotion motion_;
-  ContactPreconditioner preconditioner_;
-  ContactResponse response_;
+  const ContactBodies& bodies_;
+  const ContactMotion& motion_;
+  ContactPreconditioner& preconditioner_;
+  ContactResponse& response_;
   Round round_, best_;                   // the present one; the one that has changed least
   std::vector<ContactSoftness> course_;  // r over the rounds
   Eigen::Matrix3Xd impulses_now_;
@@ -367,11 +370,11 @@ class ContactSolver {
 
 }  // namespace
 
-ContactOutcome solve_rounds(std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid,
-                            const ContactPhase& phase, const ContactTolerance& tolerance) {
-  ContactSolver solver(deformable, rigid, phase, tolerance);
-  ContactOutcome outcome{solver.solve(), {}, solver.velocities()};
-  for (std::size_t i = 0; i < deformable.size(); ++i) outcome.changes.push_back(solver.change(i));
+ContactOutcome solve_rounds(ContactSystem& system, const ContactPhase& phase, const ContactTolerance& tolerance) {
+  ContactSolver solver(system, phase, tolerance);
+  ContactOutcome outcome{solver.solve(), solver.unknowns(), {}};
+  if (tolerance.contacts_alone) return outcome;
+  for (std::size_t i = 0; i < system.deformable.size(); ++i) outcome.changes.push_back(solver.change(i));
   return outcome;
 }
 

@@ -11,17 +11,17 @@ namespace griffith {
 struct ContactPhase {
   std::span<FrictionContact> contacts;
   std::span<const double> least_impulses = {};  ///< normal impulses that act at least [N·s], >= 0; empty: zeros
+  const Eigen::VectorXd* start = nullptr;       ///< solution of nearly the same phase of the system; null: none
   double energy = 0;                            ///< energy that it may add if it does not converge [J], >= 0
 };
 
 struct ContactOutcome {
   ContactSolveReport report;
+  Eigen::VectorXd unknowns;          ///< changes of velocity, of all bodies in the order of the system
   std::vector<NodeVectors> changes;  ///< change of velocity per deformable body, one column a row [m/s]
-  Eigen::Matrix3Xd velocities;       ///< final velocities at the contacts, along their axes [m/s]
 };
 
 /// Finds the impulses of a phase, which it writes to its contacts; see solve_contact_problem().
-ContactOutcome solve_rounds(std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid,
-                            const ContactPhase& phase, const ContactTolerance& tolerance);
+ContactOutcome solve_rounds(ContactSystem& system, const ContactPhase& phase, const ContactTolerance& tolerance);
 
 }  // namespace griffith
