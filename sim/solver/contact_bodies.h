@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "sim/core/linear_algebra.h"
 #include "sim/core/weighted_rows.h"
 #include "sim/solver/block_sparse_matrix.h"
@@ -38,7 +40,16 @@ struct ContactSide {
   bool operator==(const ContactSide&) const = default;
 };
 
-/// A contact with friction. Vectors are along `axes`: the normal from b to a, and two tangents.
+/// Law of a bond, which resists that its sides come apart, in any direction, and nothing else.
+struct Hold {
+  Vec3 apart = Vec3::Zero();  ///< from b to a at the start, over the step [m/s]
+  double slack = 0;           ///< distance up to which it does not act, over the step [m/s]
+  double strength = 0;        ///< largest impulse [N·s]
+  Vec3 given = Vec3::Zero();  ///< impulse that it has given in an earlier phase of the step [N·s]
+  bool operator==(const Hold&) const = default;
+};
+
+/// A contact with friction, or a bond. Vectors are along `axes`: the normal from b to a, and two tangents.
 struct FrictionContact {
   ContactSide a, b;
   Mat3 axes = Mat3::Identity();       ///< columns
@@ -46,6 +57,7 @@ struct FrictionContact {
   double target_velocity = 0;         ///< least velocity of parting [m/s]
   double rebound = 0;                 ///< speed of parting after an impact on nothing else [m/s], >= 0
   Vec3 free_velocity = Vec3::Zero();  ///< velocity of a relative to b without impulses [m/s]
+  std::optional<Hold> hold;           ///< law of a bond, in place of friction and target
   Vec3 impulse = Vec3::Zero();        ///< on a: a guess before, the solution after [N·s]
   Vec3 given_back = Vec3::Zero();     ///< part of `impulse` by the phase of restitution, likewise [N·s]
   Vec3 velocity = Vec3::Zero();       ///< relative velocity of a to b after the solution [m/s]

@@ -1,5 +1,6 @@
 #include "sim/solver/contact_cone.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace griffith {
@@ -37,6 +38,16 @@ ConeProjection project_on_disc(const Vec3& asked, double radius, double normal) 
 ConeProjection project_on_cone(const Vec3& asked, double friction, double least) {
   const ConeProjection found = project_on_whole_cone(asked, friction);
   return found.impulse[0] < least ? project_on_disc(asked, friction * least, least) : found;
+}
+
+ConeProjection hold_back(const Vec3& asked, double slack, double strength) {
+  const double whole = asked.norm(), beyond = whole - slack;
+  if (beyond <= 0) return {};
+  const double taken = std::min(beyond, strength);
+  const Vec3 along = asked / whole;
+  ConeProjection held{taken * along, taken / whole * Mat3::Identity()};
+  held.derivative += ((beyond < strength ? 1 : 0) - taken / whole) * along * along.transpose();
+  return held;
 }
 
 bool sticks(const Vec3& impulse, double friction) {

@@ -15,6 +15,9 @@ struct ConeProjection {
 /// surface (sliding). See Castro, Permenter & Han 2022, section IV. Of the cone the part counts whose normal impulse is
 /// at least `least` [N·s] >= 0.
 ConeProjection project_on_cone(const Vec3& asked, double friction, double least = 0);
+/// Impulse of a bond that resists what exceeds `slack`, with at most `strength`, out of what is asked of it without
+/// either [N·s]. It is the derivative of a convex function, as are those on cones.
+ConeProjection hold_back(const Vec3& asked, double slack, double strength);
 /// True if an impulse along the axes of a contact pushes and lies inside Coulomb's cone: the contact sticks.
 bool sticks(const Vec3& impulse, double friction);
 

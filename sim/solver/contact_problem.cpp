@@ -28,7 +28,12 @@ Restitution restitution_after(std::span<const FrictionContact> compressed) {
     contact.free_velocity = before.velocity;
     contact.impulse = Vec3(share * before.impulse[0], 0, 0);
     next.least_impulses.push_back(contact.impulse[0]);
-    next.energy -= before.impulse.dot(before.free_velocity + contact.free_velocity) / 2;
+    // A bond is no impact: its law ties the impulse of both phases to the opening at their end. It holds what a rebound
+    // tears apart with what strength is left, and lets go what a rebound brings together.
+    if (contact.hold)
+      contact.hold->given = before.impulse;
+    else
+      next.energy -= before.impulse.dot(before.free_velocity + contact.free_velocity) / 2;
     if (share > 0) next.speed = std::max(next.speed, before.rebound);
   }
   next.energy = std::max(next.energy, 0.0);

@@ -34,6 +34,7 @@ struct ContactTolerance {
 /// Impacts rebound in a second phase by Poisson's hypothesis: each contact gives back of its normal impulse the share
 /// by which it would part at its speed of rebound if it were alone, and impulses are found again that are at least
 /// those (Glocker & Pfeiffer 1995). Speeds of parting alone would ask the impossible of bodies that interlock.
+/// A bond's γ is hold_back() of γ₀ less the velocity of its opening over r; its strength stays.
 /// Bodies with factors take part with the rows that contacts touch alone (TouchedInverse).
 /// Writes the impulses of `contacts`, and `changes` y of the deformable bodies, one column a row [m/s]. The same bits
 /// for any number of threads.

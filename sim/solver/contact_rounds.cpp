@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "sim/solver/contact_cone.h"
@@ -47,7 +48,10 @@ class ContactSolver {
       round_.lifts[i] = contact.lift >= 0 ? contact.lift : stuck ? 0 : contact.friction * sliding;
       course_.push_back(softness_of(system.deformable, system.rigid, contact));
       round_.softness.push_back(tolerance.continues ? course_[i].settled : course_[i].first);
-      to_change_ = std::max({to_change_, contact.target_velocity - contact.free_velocity[0], stuck ? sliding : 0});
+      to_change_ =
+          contact.hold
+              ? std::max(to_change_, (contact.hold->apart + contact.free_velocity).norm() - contact.hold->slack)
+              : std::max({to_change_, contact.target_velocity - contact.free_velocity[0], stuck ? sliding : 0});
     }
     round_.outer_change = to_change_;
     if (!phase.start) return;
@@ -100,6 +104,12 @@ class ContactSolver {
 
   ConeProjection project(std::size_t i, const Vec3& u) const {
     Vec3 missing = -u;
+    if (const std::optional<Hold>& hold = contacts_[i].hold) {
+      const Vec3 asked = hold->given + round_.impulses.col(i) + (missing - hold->apart) / round_.softness[i];
+      ConeProjection held = hold_back(asked, hold->slack / round_.softness[i], hold->strength);
+      held.impulse -= hold->given;
+      return held;
+    }
     missing[0] += contacts_[i].target_velocity - round_.lifts[i];
     return project_on_cone(round_.impulses.col(i) + missing / round_.softness[i], contacts_[i].friction,
                            least_impulses_.empty() ? 0 : least_impulses_[i]);

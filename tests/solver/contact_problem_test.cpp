@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/core/parallel.h"
+#include "sim/solver/contact_cone.h"
 #include "tests/random_values.h"
 #include "tests/solver/elastic_box.h"
 #include "tests/solver/rigid_contacts.h"
@@ -35,6 +36,52 @@ void expect_laws(const FrictionContact& contact, const Vec3& velocity, double sp
   } else if (sliding > speed && limit > impulse) {
     EXPECT_LT(contact.impulse.tail<2>().dot(velocity.tail<2>()), -0.999 * limit * sliding + impulse * speed);
   }
+}
+
+TEST(Bond, DerivativeIsTheDifferenceQuotient) {
+  RandomValues random(5);
+  constexpr double kStep = 1e-7;
+  for (int i = 0; i < 200; ++i) {
+    const double slack = random.uniform(0, 0.8), strength = random.uniform(0.05, 0.8);
+    const Vec3 asked = random.vector(), direction = random.direction();
+    const ConeProjection found = hold_back(asked, slack, strength);
+    const Vec3 quotient = (hold_back(asked + kStep * direction, slack, strength).impulse -
+                           hold_back(asked - kStep * direction, slack, strength).impulse) /
+                          (2 * kStep);
+    EXPECT_LT((quotient - found.derivative * direction).norm(), 1e-5);
+    EXPECT_TRUE(found.derivative.isApprox(found.derivative.transpose()));
+  }
+}
+
+// Two free masses that fly apart: held at the slack by what it takes, or slowed by the strength where that is less.
+TEST(Bond, StopsWhatComesApartOrGivesItsStrength) {
+  const std::vector<RigidInertia> bodies = {{1.0, Mat3::Identity()}, {3.0, Mat3::Identity()}};
+  const Vec3 before(0.1, 0, 0), velocity(0.3, 0.4, 0);
+  for (const double slack : {0.2, 0.5}) {
+    const Vec3 free = before + velocity;
+    const double needed = 0.75 * (free.norm() - slack);  // of the reduced mass
+    for (const double strength : {0.3 * needed, 0.99 * needed, 1.5 * needed, 100 * needed}) {
+      std::vector<FrictionContact> bonds(1);
+      bonds[0].a.body = 0, bonds[0].b.body = 1;
+      bonds[0].free_velocity = velocity;
+      bonds[0].hold = Hold{before, slack, strength};
+      std::vector<NodeVectors> changes;
+      EXPECT_EQ(solve_contact_problem({}, bodies, bonds, kExact, changes).unconverged, 0);
+      EXPECT_NEAR(bonds[0].impulse.norm(), std::min(strength, needed), 1e-6);
+      EXPECT_LT(bonds[0].impulse.normalized().dot(free.normalized()), -1 + 1e-9);
+    }
+  }
+}
+
+TEST(Bond, LetsWhatIsCloserMoveFreely) {
+  const std::vector<RigidInertia> bodies = {{1.0, Mat3::Identity()}};
+  std::vector<FrictionContact> bonds(1);
+  bonds[0].a.body = 0;
+  bonds[0].free_velocity = Vec3(-0.3, 0.1, 0);
+  bonds[0].hold = Hold{Vec3(0.2, 0, 0), 0.2, 1};
+  std::vector<NodeVectors> changes;
+  EXPECT_EQ(solve_contact_problem({}, bodies, bonds, kExact, changes).unconverged, 0);
+  EXPECT_TRUE(bonds[0].impulse.isZero(0));
 }
 
 // Painlevé (1895): above µ = 4/3, a rod that leans by tan θ = 2 and is pulled along the floor can leave it or jam. Both
