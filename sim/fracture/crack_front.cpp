@@ -140,10 +140,11 @@ namespace {
 
 /// As energy_release_rate(), with the open faces at the node and the sides of the crack along the plane.
 double release_between(const TetMesh& mesh, NodeId node, std::span<const Corners> star, std::span<const Vec3> forces,
-                       const Vec3& normal, std::span<const OpenFace> faces, std::span<const std::uint8_t> above) {
+                       const Vec3& normal, std::span<const OpenFace> faces, std::span<const std::uint8_t> above,
+                       std::span<const HeldNode> held) {
   const std::vector<TetId>& tets = mesh.stars[node];
   Vec3 area = linked_area(mesh, node, above), opening = Vec3::Zero();
-  double weight = 0;
+  double weight = 0, by_bonds = 0;
   for (const OpenFace& face : faces) {
     const Corners &first = star[index_in(tets, face.first)], &second = star[index_in(tets, face.second)];
     const int sign = side_of(first, face, normal, kSameCrack);
@@ -153,12 +154,17 @@ double release_between(const TetMesh& mesh, NodeId node, std::span<const Corners
     for (int i = 0; i < 3; ++i) {
       const int a = face.first_corners[i], b = face.second_corners[i];
       if (mesh.tets[face.first][a] == mesh.tets[face.second][b]) continue;
-      opening += sign * third.norm() * (second.col(b) - first.col(a));
-      weight += third.norm();
+      const Vec3 apart = second.col(b) - first.col(a);
+      const HeldNode bonds = held.empty() ? HeldNode() : held[mesh.tets[face.first][a]];
+      const double part = bonds.taken * third.norm();
+      opening += sign * part * apart;
+      by_bonds += part * apart.norm() * bonds.traction;
+      weight += part;
     }
   }
   if (weight == 0 || area.isZero(0)) return 0;
-  return std::max(0.0, 0.5 * reaction(mesh, tets, forces, above).dot(opening) / (weight * area.norm()));
+  const double at_node = 0.5 * reaction(mesh, tets, forces, above).dot(opening) / (weight * area.norm());
+  return at_node > 0 ? at_node + 0.5 * by_bonds / weight : 0;
 }
 
 /// Returns the unit normal of the open faces at a node, as they are now.
@@ -174,25 +180,27 @@ Vec3 normal_of_faces(const TetMesh& mesh, NodeId node, std::span<const Corners> 
 }  // namespace
 
 double energy_release_rate(const TetMesh& mesh, NodeId node, std::span<const Corners> star,
-                           std::span<const Vec3> forces, const Vec3& normal, const Vec3& offset) {
+                           std::span<const Vec3> forces, const Vec3& normal, const Vec3& offset,
+                           std::span<const HeldNode> held) {
   const std::vector<OpenFace> faces = open_faces_at(mesh, std::span(&node, 1));
   if (faces.empty()) return 0;
-  return release_between(mesh, node, star, forces, normal, faces, sides_along(mesh, node, star, normal, offset, faces));
+  return release_between(mesh, node, star, forces, normal, faces, sides_along(mesh, node, star, normal, offset, faces),
+                         held);
 }
 
 CrackAdvance best_advance(const TetMesh& mesh, NodeId node, std::span<const Corners> star, std::span<const Vec3> forces,
-                          const Vec3& normal, const Vec3& offset) {
+                          const Vec3& normal, const Vec3& offset, std::span<const HeldNode> held) {
   constexpr double kClearly = 1.25;  // rates of single nodes scatter by 15 % in each direction
   constexpr double kOpening = 0.9;   // cosine of 26° between force and normal: sheared cracks kink
   const std::vector<OpenFace> faces = open_faces_at(mesh, std::span(&node, 1));
   if (faces.empty()) return {normal, 0};
   const auto sides = [&](const Vec3& plane) { return sides_along(mesh, node, star, plane, offset, faces); };
-  const CrackAdvance across{normal, release_between(mesh, node, star, forces, normal, faces, sides(normal))};
+  const CrackAdvance across{normal, release_between(mesh, node, star, forces, normal, faces, sides(normal), held)};
   const Vec3 straight = normal_of_faces(mesh, node, star, faces);
   const std::vector<std::uint8_t> above = sides(straight);
   const Vec3 pull = reaction(mesh, mesh.stars[node], forces, above);
   if (pull.dot(straight) < kOpening * pull.norm()) return across;
-  const double rate = release_between(mesh, node, star, forces, straight, faces, above);
+  const double rate = release_between(mesh, node, star, forces, straight, faces, above, held);
   return rate > kClearly * across.energy_release ? CrackAdvance{straight, rate} : across;
 }
 
