@@ -6,6 +6,7 @@
 namespace griffith {
 
 double Bond::energy_left() const {
+  if (!holds()) return 0;
   const double left = 1 - opening / critical;
   return 0.5 * force * critical * left * left;
 }
@@ -13,7 +14,7 @@ double Bond::energy_left() const {
 double pull(Bond& bond, double opening, double compliance) {
   const double excess = opening - bond.opening;
   if (excess <= 0) return 0;
-  const double stopping = excess / compliance, force = bond.force * (1 - bond.opening / bond.critical);
+  const double stopping = excess / compliance, force = bond.strength();
   if (stopping <= force) return stopping;
   const double opened = bond.opening + excess - compliance * force;
   if (opened < bond.critical) {
@@ -24,6 +25,21 @@ double pull(Bond& bond, double opening, double compliance) {
   const double twice_energy = 2 * bond.energy_left(), square = excess * excess - 4 * compliance * twice_energy;
   bond = {};
   return square <= 0 ? 0.5 * stopping : 2 * twice_energy / (excess + std::sqrt(square));
+}
+
+double mean_force(const Bond& bond, double opening) {
+  if (opening <= bond.opening) return bond.strength();
+  if (opening >= bond.critical) return bond.energy_left() / (opening - bond.opening);
+  return bond.force * (1 - 0.5 * (bond.opening + opening) / bond.critical);
+}
+
+double open(Bond& bond, double opening) {
+  if (!bond.holds() || opening <= bond.opening) return 0;
+  const double before = bond.energy_left();
+  bond.opening = opening;
+  if (opening < bond.critical) return before - bond.energy_left();
+  bond = {};
+  return before;
 }
 
 }  // namespace griffith

@@ -53,6 +53,27 @@ TEST(Cohesion, WhatABondHasTakenIsSpent) {
   EXPECT_LT(bond.energy_left(), opened.energy_left());
 }
 
+TEST(Cohesion, TheMeanForceOfAWayTakesTheEnergyThatTheBondLoses) {
+  for (const double before : {0.0, 0.4, 0.9})
+    for (const double way : {0.01, 0.3, 1.0, 20.0}) {
+      Bond bond = kWhole;
+      open(bond, before * kWhole.critical);
+      const double left = bond.energy_left(), opening = (before + way) * kWhole.critical;
+      const double work = mean_force(bond, opening) * way * kWhole.critical;
+      EXPECT_NEAR(open(bond, opening), work, 1e-12 * kWhole.energy_left());
+      EXPECT_NEAR(left - (bond.holds() ? bond.energy_left() : 0), work, 1e-12 * kWhole.energy_left());
+      EXPECT_EQ(bond.holds(), before + way < 1);
+    }
+}
+
+TEST(Cohesion, TheMeanForceOfAShortWayIsTheStrength) {
+  Bond bond = kWhole;
+  open(bond, 0.25 * kWhole.critical);
+  EXPECT_NEAR(bond.strength(), 0.75 * kWhole.force, 1e-12 * kWhole.force);
+  EXPECT_EQ(mean_force(bond, 0.1 * kWhole.critical), bond.strength()) << "it does not act on what closes";
+  EXPECT_NEAR(mean_force(bond, 0.250001 * kWhole.critical), bond.strength(), 1e-6 * kWhole.force);
+}
+
 TEST(Cohesion, AFastMotionBreaksABondForNoMoreThanItsEnergy) {
   for (const double opening : {1e-4, 1e-2, 1.0}) {
     Bond bond = kWhole;

@@ -1,7 +1,7 @@
 #include "sim/world/bodies/bonded_pieces.h"
 
 #include <algorithm>
-#include <cmath>
+#include <ranges>
 #include <utility>
 
 #include "sim/geometry/disjoint_sets.h"
@@ -21,11 +21,11 @@ std::vector<int> part_of_tets(const Body& body, const std::vector<std::vector<Te
   return part_of;
 }
 
-/// Returns the fraction of the energy of an opened face that its bonds have not taken yet.
+/// Returns the fraction of the energy of an opened face that its bonds have not taken yet; corners at a front have all
+/// of theirs.
 double untaken_part(const CohesiveFace& face) {
   double part = 0;
-  for (const Bond& bond : face.bonds)
-    if (bond.holds()) part += std::pow(1 - bond.opening / bond.critical, 2) / 3;
+  for (const Bond& bond : face.bonds) part += bond.untaken() / 3;
   return part;
 }
 
@@ -37,11 +37,17 @@ void account_held(WorldState& world, const CohesiveFace& face, double sign) {
 
 }  // namespace
 
+bool is_held_by_bonds(const WorldState& world, const Body& body) {
+  return body.bonded && world.model->scene.simulation.integrator == Integrator::hybrid;
+}
+
+bool still_holds(const CohesiveFace& face) { return std::ranges::any_of(face.bonds, &Bond::holds); }
+
 BondedPieces::BondedPieces(const WorldState& world) : world_(world) {
   if (world.cohesive_faces.empty()) return;
   faces_.resize(world.bodies.size());
   for (const CohesiveFace& face : world.cohesive_faces)
-    faces_[world.elements.bodies[face.face.first].index()].push_back(&face);
+    if (still_holds(face)) faces_[world.elements.bodies[face.face.first].index()].push_back(&face);
 }
 
 std::vector<std::vector<TetId>> BondedPieces::of(const Body& body) const {
@@ -62,9 +68,60 @@ std::vector<std::vector<TetId>> BondedPieces::of(const Body& body) const {
   return pieces;
 }
 
+namespace {
+
+bool is_of_use(const CohesiveFace& face) {
+  return still_holds(face) || std::ranges::any_of(face.bonds, &Bond::is_closed);
+}
+
+/// True if a corner of both sides of a face is the same place at rest: no longer so where tets have been cut.
+bool is_whole(const TetMesh& mesh, const OpenFace& face) {
+  return std::ranges::all_of(std::views::iota(0, 3), [&](int i) {
+    return mesh.rest_positions[mesh.tets[face.first][face.first_corners[i]]] ==
+           mesh.rest_positions[mesh.tets[face.second][face.second_corners[i]]];
+  });
+}
+
+}  // namespace
+
 void add_cohesive_face(WorldState& world, const CohesiveFace& face) {
+  if (!is_of_use(face)) return;
   world.cohesive_faces.push_back(face);
   account_held(world, face, -1);
+}
+
+void remove_cohesive_face(WorldState& world, std::ptrdiff_t index) {
+  account_held(world, world.cohesive_faces[index], 1);
+  world.cohesive_faces.erase(world.cohesive_faces.begin() + index);
+}
+
+double open_cohesive_face(WorldState& world, int index, int corner, double opening) {
+  CohesiveFace& face = world.cohesive_faces[index];
+  account_held(world, face, 1);
+  const double taken = open(face.bonds[corner], opening);
+  account_held(world, face, -1);
+  return taken;
+}
+
+bool is_at_front(const TetMesh& mesh, const OpenFace& face, int corner) {
+  return mesh.tets[face.first][face.first_corners[corner]] == mesh.tets[face.second][face.second_corners[corner]];
+}
+
+void follow_front(WorldState& world) {
+  for (CohesiveFace& face : world.cohesive_faces) {
+    CohesiveFace now = is_whole(world.mesh, face.face) ? face : CohesiveFace{face.face, {}};
+    for (int i = 0; i < 3; ++i)
+      if (now.bonds[i].is_closed() && !is_at_front(world.mesh, face.face, i)) now.bonds[i] = {};
+    if (untaken_part(now) == untaken_part(face)) continue;
+    account_held(world, face, 1);
+    account_held(world, now, -1);
+    face = now;
+  }
+  forget_broken_faces(world);
+}
+
+void forget_broken_faces(WorldState& world) {
+  std::erase_if(world.cohesive_faces, [&](const CohesiveFace& face) { return !is_of_use(face); });
 }
 
 void free_cohesive_faces(WorldState& world, const std::vector<bool>& is_freed) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "sim/core/ids.h"
@@ -24,8 +25,23 @@ class BondedPieces {
   std::vector<std::vector<const CohesiveFace*>> faces_;  ///< per BodyId; empty without any bonds
 };
 
-/// Adds an opened face whose bonds hold. Of its area, only the part whose energy they have taken counts as crack area.
+/// True if bonds alone hold parts of a body together that stays rigid but for microsteps, in which they act.
+bool is_held_by_bonds(const WorldState& world, const Body& body);
+/// Adds an opened face whose bonds hold or that ends at a front, else does nothing. Of its area, only the part whose
+/// energy they have taken counts as crack area.
 void add_cohesive_face(WorldState& world, const CohesiveFace& face);
+/// Removes an opened face; its index among those of the world.
+void remove_cohesive_face(WorldState& world, std::ptrdiff_t index);
+/// Opens a bond of an opened face as far as `opening` [m]. Returns the energy that it takes [J].
+double open_cohesive_face(WorldState& world, int index, int corner, double opening);
+/// True if any bond of an opened face holds.
+bool still_holds(const CohesiveFace& face);
+/// True if the sides of an opened face have not come apart at a corner.
+bool is_at_front(const TetMesh& mesh, const OpenFace& face, int corner);
+/// Removes the opened faces that neither hold nor end at a front.
+void forget_broken_faces(WorldState& world);
+/// Fits the opened faces to cracks and cuts: corners that have come apart without a bond are free.
+void follow_front(WorldState& world);
 /// Breaks all bonds of opened faces beside tets for which `is_freed` (per tet) is true.
 void free_cohesive_faces(WorldState& world, const std::vector<bool>& is_freed);
 

@@ -115,7 +115,6 @@ class ExplicitRun {
   void follow_edges(std::span<const EdgeCopy> copies);
   void constrain_again();
   void bond_copies(NodeId original, std::span<const NodeId> made, double utilization);
-  double front_stress(NodeId node) const;
   void finish(WorldState& world, Opened opened, double duration) const;
   void show_moment();
   WorldState moment() const;
