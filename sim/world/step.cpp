@@ -15,6 +15,7 @@
 #include "sim/world/explicit/explicit_obstacles.h"
 #include "sim/world/explicit/explicit_regime.h"
 #include "sim/world/explicit/similarity.h"
+#include "sim/world/fracture/acting_bonds.h"
 #include "sim/world/fracture/fracture_phase.h"
 #include "sim/world/fracture/separation_phase.h"
 #include "sim/world/grab_force.h"
@@ -70,6 +71,7 @@ void move(WorldState& world, double dt, const MeetingFilter& leave = {}) {
   timed(ms.elasticity, [&] { predict_velocities(world, external, dt); });
   std::vector<ElasticMove> moves = timed(ms.contact, [&] { return resolve_contacts(world, external, dt, leave); });
   timed(ms.elasticity, [&] { move_bodies(world, external, std::move(moves), dt); });
+  open_bonds(world);
 }
 
 void take_substep(WorldState& world, double dt) {

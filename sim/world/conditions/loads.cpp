@@ -6,6 +6,7 @@
 #include "sim/core/sort_unique.h"
 #include "sim/core/tet_edge_corners.h"
 #include "sim/mesh/topology.h"
+#include "sim/world/bodies/bonded_pieces.h"
 #include "sim/world/conditions/material_point.h"
 #include "sim/world/regime/regime_change.h"
 #include "sim/world/state/world_state.h"
@@ -204,7 +205,7 @@ void make_loaded_bodies_elastic(WorldState& world, const TimeSpan& last, const T
     for (const BodyId id : bodies_under(world, placed)) {
       Body& body = world.bodies[id];
       const bool may_deform = body.rigid && !body.supported() && body.tets.size() > 1;
-      if (may_deform && !body.bonded) make_elastic(world, body);  // bonds hold rigid bodies together alone
+      if (may_deform && !is_held_by_bonds(world, body)) make_elastic(world, body);
     }
   }
 }

@@ -4,6 +4,7 @@
 
 #include "sim/core/error.h"
 #include "sim/core/tet_edge_corners.h"
+#include "sim/world/bodies/bonded_pieces.h"
 #include "sim/world/regime/regime_change.h"
 #include "sim/world/state/world_state.h"
 
@@ -74,7 +75,8 @@ void add_force_at(const WorldState& world, const MaterialPoint& point, const Vec
 void wake_at(WorldState& world, const MaterialPoint& point) {
   Body& body = world.bodies[body_at(world, point).id];
   if (body.rigid && body.supported()) return;  // frozen
-  if (body.tets.size() > 1 && !body.bonded && (body.asleep || body.rigid)) return make_elastic(world, body);
+  if (body.tets.size() > 1 && !is_held_by_bonds(world, body) && (body.asleep || body.rigid))
+    return make_elastic(world, body);
   world.contact_world.wake_up(body.proxy);
   body.asleep = false;
 }

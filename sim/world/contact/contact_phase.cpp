@@ -9,6 +9,7 @@
 #include "sim/core/rotation.h"
 #include "sim/solver/rigid_motion.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/bodies/bonded_pieces.h"
 #include "sim/world/bodies/expected_impacts.h"
 #include "sim/world/contact/elastic_contacts.h"
 #include "sim/world/contact/face_contacts.h"
@@ -96,15 +97,15 @@ bool must_deform(const WorldState& world, const Body& body, const Contact& conta
 /// True if a body is immovable or rigid under its contacts and could deform.
 bool may_deform(const Body& body) { return body.rigid ? !body.supported() : body.asleep; }
 
-/// Makes rigid and sleeping bodies deformable that must deform under the impulses found; bonded ones are left to the
-/// microsteps of the next substep, where bonds act. Returns true if there were any.
+/// Makes rigid and sleeping bodies deformable that must deform under the impulses found; in hybrid
+/// steps bonded ones are left to the microsteps of the next substep. Returns true if there were any.
 bool make_struck_bodies_elastic(WorldState& world, double dt) {
   bool any = false;
   for (const Contact& contact : world.contact_world.contacts())
     for (ProxyId side : {contact.a, contact.b}) {
       const BodyId id = world.body_of(side);
       if (!id.valid() || !may_deform(world.bodies[id]) || !must_deform(world, world.bodies[id], contact, dt)) continue;
-      if (world.bodies[id].bonded) {
+      if (is_held_by_bonds(world, world.bodies[id])) {
         const ProxyId other = side == contact.a ? contact.b : contact.a;
         std::erase_if(world.bodies[id].known_contact_loads,
                       [&](const ContactLoad& load) { return load.other == other; });

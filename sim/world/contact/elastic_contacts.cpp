@@ -1,6 +1,7 @@
 #include "sim/world/contact/elastic_contacts.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "sim/solver/contact_problem.h"
 #include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/contact/bond_rows.h"
 #include "sim/world/motion/elastic_phase.h"
 #include "sim/world/state/world_state.h"
 
@@ -74,7 +76,22 @@ class GroupBuilder {
       row.impulse = law.guess;
     }
     group.contacts = std::move(contacts);
+    for (const int touched : group.touched) add_bonds(touched, group);
     return group;
+  }
+
+  /// Returns groups of single bodies with bonds that nothing touches.
+  std::vector<ContactGroup> build_bonded() {
+    std::vector<ContactGroup> groups;
+    for (std::size_t i = 0; i < touched_.bodies.size(); ++i) {
+      const TouchedBody& of = touched_.bodies[i];
+      const bool is_bonded = !of.bonds.pairs.empty() || !of.bonds.ties.empty();
+      if (!is_bonded || body_of_object_[touched_.objects[i].object.index()] >= 0) continue;
+      ContactGroup& group = groups.emplace_back();
+      add_deformable(group, touched_.objects[i].object);
+      add_bonds(static_cast<int>(i), group);
+    }
+    return groups;
   }
 
  private:
@@ -133,14 +150,25 @@ class GroupBuilder {
     return rigid;
   }
 
+  /// Returns the index of a deformable body in its group, to which it is added first if it is not in it.
+  int add_deformable(ContactGroup& group, ProxyId object) {
+    int& body = body_of_object_[object.index()];
+    if (body >= 0) return body;
+    body = static_cast<int>(group.deformable.size());
+    const int touched = touched_of(object);
+    group.deformable.push_back(deformable_inertia(world_, world_.bodies[touched_.bodies[touched].body], dt_));
+    group.touched.push_back(touched);
+    return body;
+  }
+
+  void add_bonds(int touched, ContactGroup& group) const {
+    const int body = body_of_object_[touched_.objects[touched].object.index()];
+    add_bond_rows(world_, touched_.bodies[touched], body, dt_, group);
+  }
+
   ContactSide deformable_side(ContactGroup& group, ProxyId object, int contact) {
     const int touched = touched_of(object);
-    int& body = body_of_object_[object.index()];
-    if (body < 0) {
-      body = static_cast<int>(group.deformable.size());
-      group.deformable.push_back(deformable_inertia(world_, world_.bodies[touched_.bodies[touched].body], dt_));
-      group.touched.push_back(touched);
-    }
+    const int body = add_deformable(group, object);
     const auto point = std::ranges::lower_bound(points_, std::pair(contact, touched), {},
                                                 [](const Point& p) { return std::pair(p.contact, p.touched); });
     ContactSide side;
@@ -252,11 +280,18 @@ void renew(const WorldState& world, TouchedBodies& touched, double dt, ContactGr
     FrictionContact& contact = group.problem[row];
     contact.free_velocity += side * (contact.axes.transpose() * faster[body].col(static_cast<Eigen::Index>(point)));
   });
+  visit_bonds(touched, group, [&](std::size_t row, int body, std::size_t pair) {
+    const BondedPair& of = touched.bodies[body].bonds.pairs[pair];
+    group.problem[row].free_velocity = world.nodes.velocities[of.first] - world.nodes.velocities[of.second];
+  });
 }
 
-void hand_out_impulses(WorldState& world, const ContactGroup& group) {
+void hand_out_impulses(WorldState& world, TouchedBodies& touched, const ContactGroup& group) {
   for (std::size_t k = 0; k < group.contacts.size(); ++k)
     world.contact_world.set_impulse(group.contacts[k], group.problem[k].axes * group.problem[k].impulse);
+  visit_bonds(touched, group, [&](std::size_t row, int body, std::size_t pair) {
+    touched.bodies[body].bond_impulses[pair] = group.problem[row].impulse;
+  });
 }
 
 /// Solves the problems of groups, and hands out what they find.
@@ -270,14 +305,14 @@ void solve_groups(WorldState& world, TouchedBodies& touched, std::span<ContactGr
       ContactTolerance tolerance = tolerance_of(world, dt);
       tolerance.continues = continues;
       tolerance.relative = std::max(tolerance.relative, group.tolerance);
-      reports[i] = solve_contact_problem(group.deformable, group.rigid, group.problem, tolerance, changes);
+      reports[i] = solve_with_bonds(touched, group, tolerance, changes, dt);
       for (std::size_t k = 0; k < group.touched.size(); ++k)
         touched.bodies[group.touched[k]].change = std::move(changes[k]);
     }
   });
   for (std::size_t i = 0; i < groups.size(); ++i) {
     ContactGroup& group = *groups[i];
-    hand_out_impulses(world, group);
+    hand_out_impulses(world, touched, group);
     world.report.unconverged_contacts += reports[i].unconverged - group.unconverged;
     group.unconverged = reports[i].unconverged;
     world.report.contact_iterations += reports[i].iterations;
@@ -288,7 +323,7 @@ void solve_groups(WorldState& world, TouchedBodies& touched, std::span<ContactGr
 bool are_alike(const FrictionContact& left, const FrictionContact& right) {
   return left.a == right.a && left.b == right.b && left.axes == right.axes && left.friction == right.friction &&
          left.target_velocity == right.target_velocity && left.rebound == right.rebound &&
-         left.free_velocity == right.free_velocity;
+         left.free_velocity == right.free_velocity && left.hold == right.hold;
 }
 
 /// Takes the solution of an earlier group with the same problem of the same bodies. Returns false if there is none.
@@ -309,7 +344,7 @@ bool take_solution(WorldState& world, TouchedBodies& touched, ContactGroup& grou
   group.problem = found->problem;
   group.unconverged = found->unconverged;
   world.report.unconverged_contacts += group.unconverged;
-  hand_out_impulses(world, group);
+  hand_out_impulses(world, touched, group);
   return true;
 }
 
@@ -328,6 +363,7 @@ std::vector<ContactGroup> solve_elastic_contacts(WorldState& world, TouchedBodie
     groups.push_back(builder.build(std::move(contacts)));
     foresee_turns(world, touched, dt, groups.back());
   }
+  std::ranges::move(builder.build_bonded(), std::back_inserter(groups));
   std::vector<ContactGroup*> unsolved;
   for (ContactGroup& group : groups)
     if (!take_solution(world, touched, group, earlier)) unsolved.push_back(&group);

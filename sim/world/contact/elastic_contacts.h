@@ -6,14 +6,14 @@
 
 namespace griffith {
 
-/// Objects whose contacts affect one another, and these.
+/// Objects whose contacts and bonds affect one another, and these.
 struct ContactGroup {
   std::vector<int> contacts;  ///< indices into contacts()
   std::vector<int> touched;   ///< indices of the deformable bodies in TouchedBodies
   std::vector<DeformableInertia> deformable;
   std::vector<RigidInertia> rigid;
-  std::vector<FrictionContact> problem;   ///< per contact
-  std::vector<double> target_velocities;  ///< per contact, of bodies that do not turn [m/s]
+  std::vector<FrictionContact> problem;   ///< per contact, then per bonded pair and tied edge of the touched bodies
+  std::vector<double> target_velocities;  ///< likewise, of bodies that do not turn [m/s]
   int unconverged = 0;                    ///< contacts that do not meet their law
   double tolerance = 0;                   ///< at least this, relative, where it is solved again
 };
@@ -25,7 +25,8 @@ struct SolvedContacts {
 };
 
 /// Finds the impulses of a substep of `dt` [s] at the contacts of elastic bodies and of the rigid ones that touch them,
-/// each group as one convex problem (sim/solver/contact_problem.h), and writes them into contacts(). Leaves what they
+/// each group as one convex problem (sim/solver/contact_problem.h), and writes them into contacts() and
+/// TouchedBody::bond_impulses. Bonds soften as they open: some problems, one after the other. Leaves what they
 /// change in the velocities of the elastic bodies in TouchedBody::change, as found by the solver; counts contacts
 /// that do not meet their law.
 /// What is quasi-static takes part as a rigid body and deforms under the impulses that it got.

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "sim/core/parallel.h"
+#include "sim/core/sort_unique.h"
 #include "sim/elasticity/compaction.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/bodies/effective_law.h"
@@ -228,12 +229,15 @@ class StrainRounds {
   /// Returns the indices of the touched bodies with contacts in open groups.
   std::vector<int> open_bodies() const {
     std::vector<char> is_open(world_.contact_world.contacts().size(), false);
-    for (std::size_t i = 0; i < is_open_.size(); ++i)
-      for (const int contact : solved_.groups[i].contacts) is_open[contact] = is_open_[i];
     std::vector<int> bodies;
+    for (std::size_t i = 0; i < is_open_.size(); ++i) {
+      for (const int contact : solved_.groups[i].contacts) is_open[contact] = is_open_[i];
+      if (is_open_[i]) bodies.insert(bodies.end(), solved_.groups[i].touched.begin(), solved_.groups[i].touched.end());
+    }
     for (std::size_t i = 0; i < solved_.touched.objects.size(); ++i)
       if (std::ranges::any_of(solved_.touched.objects[i].contacts, [&](int contact) { return is_open[contact]; }))
         bodies.push_back(static_cast<int>(i));
+    sort_unique(bodies);
     return bodies;
   }
 

@@ -6,6 +6,7 @@
 
 #include "sim/geometry/disjoint_sets.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/fracture/acting_bonds.h"
 #include "sim/world/motion/motion_phase.h"
 
 namespace griffith {
@@ -112,11 +113,12 @@ void choose_quasi_static_bodies(WorldState& world) {
   const double time_step = world.model->scene.simulation.time_step;
   const ContactGroups groups = contact_groups(world);
   const std::vector<int> sizes = sizes_of(groups);
+  const std::vector<bool> has_bonds = bodies_with_bonds(world);
   for (Body& body : world.bodies) {
     const int group = sizes[groups.group[body.proxy]];
     const bool is_costly = group > kLargeGroup || (group > 0 && body.nodes.size() > kLargeBody);
-    body.quasi_static = is_costly && reaches_equilibrium(world, body, time_step) && hardly_deforms(world, body) &&
-                        !is_driven(world, body);
+    body.quasi_static = is_costly && !has_bonds[body.id.index()] && reaches_equilibrium(world, body, time_step) &&
+                        hardly_deforms(world, body) && !is_driven(world, body);
   }
 }
 

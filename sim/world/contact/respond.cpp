@@ -16,10 +16,13 @@
 namespace griffith {
 namespace {
 
-/// Returns the velocity changes of an elastic body's rows by nodal impulses, each node on its own.
-NodeVectors respond_explicitly(WorldState& world, const Body& body, double dt, const std::vector<Vec3>& impulses) {
+/// Returns the velocity changes of an elastic body's rows by nodal impulses, each node on its own; edges as solved.
+NodeVectors respond_explicitly(WorldState& world, const TouchedBody& touched, double dt,
+                               const std::vector<Vec3>& impulses) {
+  const Body& body = world.bodies[touched.body];
   NodeArrays& nodes = world.nodes;
   NodeVectors change = body.system->gather(impulses);
+  change.rightCols(body.system->edges().size()) = touched.change.rightCols(body.system->edges().size());
   const std::span<const NodeId> rows = body.system->nodes();
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const NodeId node = rows[row];
@@ -78,7 +81,8 @@ void add_spread_impulses(const WorldState& world, const std::vector<Contact>& sp
 LoadedBody loads_on(const WorldState& world, const TouchedBody& touched, const ElasticObject& object,
                     const SpreadContacts& spread) {
   const std::span<const Contact> contacts = world.contact_world.contacts();
-  LoadedBody loaded{{touched.body, {}, {}, {}}, {}};
+  LoadedBody loaded;
+  loaded.at.body = touched.body;
   loaded.impulses.resize(3, static_cast<Eigen::Index>(object.contacts.size() + spread.added.size()));
   add_impulses(contacts, spread.replaced, touched, object, loaded);
   if (world.bodies[touched.body].quasi_static) add_spread_impulses(world, spread.added, object.object, loaded);
@@ -86,25 +90,48 @@ LoadedBody loads_on(const WorldState& world, const TouchedBody& touched, const E
   return loaded;
 }
 
-/// Moves a body by the impulses at its contacts.
+bool is_zero(const std::vector<Vec3>& impulses) {
+  return std::ranges::all_of(impulses, [](const Vec3& impulse) { return impulse.isZero(0); });
+}
+
+void add_bond_impulses(const TouchedBody& touched, std::vector<Vec3>& nodal) {
+  for (std::size_t i = 0; i < touched.bond_impulses.size(); ++i) {
+    nodal[touched.bonds.pairs[i].first] += touched.bond_impulses[i];
+    nodal[touched.bonds.pairs[i].second] -= touched.bond_impulses[i];
+  }
+}
+
+double work_of_bonds(const WorldState& world, const TouchedBody& touched) {
+  const std::vector<Vec3>& velocities = world.nodes.velocities;
+  double work = 0;
+  for (std::size_t i = 0; i < touched.bond_impulses.size(); ++i) {
+    const BondedPair& pair = touched.bonds.pairs[i];
+    work += touched.bond_impulses[i].dot(velocities[pair.first] - velocities[pair.second]);
+  }
+  return work;
+}
+
+/// Moves a body by the impulses at its contacts and of its bonds.
 void respond(WorldState& world, TouchedBody& touched, const LoadedBody& loaded, double dt) {
   Body& body = world.bodies[touched.body];
-  if (loaded.impulses.isZero(0)) return;
+  if (loaded.impulses.isZero(0) && is_zero(touched.bond_impulses) && touched.bonds.ties.empty()) return;
   std::vector<Vec3>& nodal = world.scratch.contact_impulses;
   add_nodal_impulses(world, loaded.at, loaded.impulses, nodal);
+  add_bond_impulses(touched, nodal);
   if (body.quasi_static) {
     const ImplicitStep step = implicit_step(world, body, dt);
     touched.change = respond_alone(deformable_inertia(world, body, dt), body.system->gather(nodal),
                                    step.relative_residual, step.max_iterations);
   }
   if (world.integrates_explicitly()) {
-    touched.change = respond_explicitly(world, body, dt, nodal);
+    touched.change = respond_explicitly(world, touched, dt, nodal);
   } else {
     body.system->project(touched.change);
     body.system->add_reactions(dt, nodal, world.nodes.constraints, touched.change, world.nodes.reactions);
   }
   add_changes(world, touched);
-  world.scratch.bodies[body.id].contact_work = loaded.impulses.cwiseProduct(point_velocities(world, loaded.at)).sum();
+  world.scratch.bodies[body.id].contact_work =
+      loaded.impulses.cwiseProduct(point_velocities(world, loaded.at)).sum() + work_of_bonds(world, touched);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <utility>
 
 #include "sim/core/parallel.h"
 #include "sim/core/rotation.h"
@@ -56,6 +57,20 @@ void list_contacts(const WorldState& world, TouchedBodies& touched) {
     }
 }
 
+/// Adds the bonds of bodies, also of those that nothing touches.
+void list_bonds(const WorldState& world, TouchedBodies& touched) {
+  for (BondsOfBody& bonds : acting_bonds(world)) {
+    auto of = std::ranges::find(touched.bodies, bonds.body, &TouchedBody::body);
+    if (of == touched.bodies.end()) {
+      touched.objects.emplace_back().object = world.bodies[bonds.body].proxy;
+      touched.bodies.emplace_back().body = bonds.body;
+      of = touched.bodies.end() - 1;
+    }
+    of->bond_impulses.assign(bonds.pairs.size(), Vec3::Zero());
+    of->bonds = std::move(bonds);
+  }
+}
+
 }  // namespace
 
 TouchedPoint touched_node(const WorldState& world, NodeId node, const Vec3& place) {
@@ -70,6 +85,7 @@ TouchedPoint touched_point(const WorldState& world, const SurfaceSearch& surface
 TouchedBodies touched_bodies(const WorldState& world) {
   TouchedBodies touched;
   list_contacts(world, touched);
+  list_bonds(world, touched);
   parallel_for(static_cast<int>(touched.bodies.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const SurfaceSearch surface(world, world.bodies[touched.bodies[i].body]);

@@ -6,6 +6,7 @@
 #include "sim/contact/contact_world.h"
 #include "sim/core/weighted_rows.h"
 #include "sim/world/bodies/surface_point.h"
+#include "sim/world/fracture/acting_bonds.h"
 
 namespace griffith {
 
@@ -20,15 +21,17 @@ struct TouchedPoint {
   Vec3 turned = Vec3::Zero();
 };
 
-/// Elastic body and its contacts in a substep.
+/// Elastic body with its contacts and bonds in a substep.
 struct TouchedBody {
   BodyId body;
   std::vector<TouchedPoint> points;  ///< per contact of the object
+  BondsOfBody bonds;                 ///< they act between points of the body itself
+  std::vector<Vec3> bond_impulses;   ///< per pair, on its first node [N·s]
   NodeVectors free;    ///< velocities of the rows of its system without the contacts, once it has answered [m/s]
   NodeVectors change;  ///< change of their velocities by the contacts [m/s]
 };
 
-/// Elastic bodies with contacts, and the contact world's data of each, by body.
+/// Elastic bodies with contacts or bonds, and the contact world's data of each, by body.
 struct TouchedBodies {
   std::vector<TouchedBody> bodies;
   std::vector<ElasticObject> objects;
@@ -39,7 +42,7 @@ TouchedPoint touched_node(const WorldState& world, NodeId node, const Vec3& plac
 /// Returns the point of a surface that touches at a place [m].
 TouchedPoint touched_point(const WorldState& world, const SurfaceSearch& surface, const Vec3& place);
 
-/// Lists what the contacts touch.
+/// Lists what the contacts touch, and what bonds hold.
 TouchedBodies touched_bodies(const WorldState& world);
 /// Moves the contacts from the surfaces of the proxies, which do not deform, to those of the deformed bodies, and
 /// corrects their distances; those of nodes are right.

@@ -19,7 +19,7 @@ struct EnergyAccount {
   double edits = 0;        ///< energy added by changes of material while the scene runs
   // What is lost.
   double plastic = 0;            ///< work of yielding
-  double fracture = 0;           ///< taken by opening cracks in explicit dynamics
+  double fracture = 0;           ///< taken by bonds of opening cracks
   double contacts = 0;           ///< friction, impacts without rebound, rolling
   double material_damping = 0;   ///< Rayleigh's, of the material
   double microstep_damping = 0;  ///< damping of the highest frequencies in microsteps
@@ -27,7 +27,7 @@ struct EnergyAccount {
   double regime_change = 0;      ///< bodies that turn rigid, fall asleep, enter or leave microsteps, or are cut
   double scaling = 0;            ///< forces that scaled bodies lack, and what their shape loses when scaling ends
   double limited = 0;            ///< cut off by limits: pushed out overlaps, frozen bodies
-  // Beside the account: implicit and static steps open cracks for nothing.
+  // Beside the account: static steps, and implicit ones of hybrid scenes, open cracks for nothing.
   double crack_area = 0;       ///< opened so far, one side of each crack [m²]
   double fracture_energy = 0;  ///< energy of the crack area, K_Ic² (1 − ν²) / E times the area
 

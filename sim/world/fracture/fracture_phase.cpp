@@ -3,13 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
+#include <span>
+#include <utility>
 
 #include "sim/fracture/crack_front.h"
 #include "sim/fracture/remesh.h"
 #include "sim/fracture/split.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/bodies/bonded_pieces.h"
 #include "sim/world/energy/energy_phase.h"
+#include "sim/world/fracture/acting_bonds.h"
 #include "sim/world/fracture/separation_phase.h"
 #include "sim/world/fracture/subdivision.h"
 #include "sim/world/setup/build_world.h"
@@ -207,11 +212,39 @@ bool is_relieved(const WorldState& world, NodeId node, std::size_t first_event, 
                      });
 }
 
-/// Opens cracks at nodes in their order, within the budget.
+/// Bonds the nodes that came apart when one did, which had this utilization.
+void bond(WorldState& world, NodeId opened, std::span<const NodeCopy> copies, double utilization) {
+  std::map<NodeId, std::vector<NodeId>> parted;
+  for (const NodeCopy& copy : copies) parted[copy.original].push_back(copy.copy);
+  for (const auto& [original, made] : parted) bond_copies(world, original, made, original == opened ? utilization : 1);
+  follow_front(world);
+}
+
+/// Adds to overloaded nodes of fronts those beside them in the front that are loaded as much within the scatter of
+/// single nodes. Opened one after the other they would take turns to lag behind and to hold the front up.
+std::vector<NodeId> with_fronts(const WorldState& world, const std::vector<NodeId>& overloaded) {
+  constexpr double kScatter = 0.86;  // of loads: energy release rates scatter by 15 % in each direction
+  std::vector<NodeId> nodes;
+  std::set<NodeId> known(overloaded.begin(), overloaded.end());
+  for (const NodeId node : overloaded) {
+    nodes.push_back(node);
+    if (world.nodes.at_crack_front[node] == 0) continue;
+    for (const TetId tet : world.mesh->stars[node])
+      for (const NodeId near : world.mesh->tets[tet])
+        if (world.nodes.at_crack_front[near] != 0 && world.nodes.separations[near].utilization > kScatter &&
+            known.insert(near).second)
+          nodes.push_back(near);
+  }
+  return nodes;
+}
+
+/// Opens cracks at nodes in their order, within the budget. Bonds relieve nothing at once: a front advances as a whole.
 Opened crack_in_turn(WorldState& world, const std::vector<NodeId>& overloaded, double substep) {
   Opened opened;
   opened.first_event = world.crack_events.size();
-  for (NodeId node : overloaded) {
+  const bool is_bonded = bonds_act(world);
+  for (NodeId node : is_bonded ? with_fronts(world, overloaded) : overloaded) {
+    if (world.nodes.separations[node].utilization == 0) continue;  // came apart beside another one
     if (opened.waiting.contains(node) || is_relieved(world, node, opened.first_event, substep)) continue;
     if (world.report.cracks >= world.model->scene.simulation.max_cracks_per_step) {
       world.postponed.push_back({node, world.nodes.separations[node]});
@@ -219,11 +252,18 @@ Opened crack_in_turn(WorldState& world, const std::vector<NodeId>& overloaded, d
     }
     const std::vector<TetId> star = world.mesh->stars[node];
     const BodyId body = world.elements.bodies[star.front()];
+    const double utilization = world.nodes.separations[node].utilization;
+    const std::size_t first_copy = opened.copies.size();
+    std::set<NodeId> beside;
+    for (const TetId tet : star)
+      for (const NodeId near : world.mesh->tets[tet])
+        if (!is_bonded || world.nodes.at_crack_front[near] == 0) beside.insert(near);
     if (!crack(world, node, opened)) continue;
+    if (is_bonded) bond(world, node, std::span(opened.copies).subspan(first_copy), utilization);
     ++world.report.cracks;
     opened.bodies.insert(body);
     if (world.crack_events.back().torn_off) world.bodies[body].system.reset();
-    for (TetId tet : star) opened.waiting.insert(world.mesh->tets[tet].begin(), world.mesh->tets[tet].end());
+    opened.waiting.insert(beside.begin(), beside.end());
   }
   return opened;
 }
@@ -252,8 +292,11 @@ void part_opened(WorldState& world, const Opened& opened) {
 void open_cracks(WorldState& world, double substep) {
   restore_postponed(world);
   const std::vector<NodeId> overloaded = overloaded_nodes(world);
-  if (overloaded.empty()) return;
-  part_opened(world, crack_in_turn(world, overloaded, substep));
+  const std::vector<BodyId> broke = std::exchange(world.scratch.bonds_broke_in, {});
+  if (overloaded.empty() && broke.empty()) return;
+  Opened opened = crack_in_turn(world, overloaded, substep);
+  opened.bodies.insert(broke.begin(), broke.end());
+  part_opened(world, opened);
   world.report.cracks_postponed = static_cast<int>(world.postponed.size());
 }
 

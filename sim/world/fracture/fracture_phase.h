@@ -17,7 +17,7 @@ void open_cracks(WorldState& world, double substep);
 struct Opened {
   std::set<BodyId> bodies;
   MotionsBefore motions;     ///< motions of free bodies before they were remeshed
-  std::set<NodeId> waiting;  ///< a split relieves its neighbourhood: these wait until their stress is known again
+  std::set<NodeId> waiting;  ///< these wait until their stress beside a split is known again
   std::vector<NodeCopy> copies;
   std::vector<EdgeCopy> edge_copies;
   std::vector<TetId> parted;  ///< tets that lost a neighbor

@@ -10,6 +10,7 @@
 #include "sim/fracture/resistance.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/fracture/acting_bonds.h"
 #include "sim/world/state/corners.h"
 #include "sim/world/state/world_state.h"
 
@@ -43,7 +44,8 @@ CrackAdvance advance_at(const WorldState& world, NodeId node, const Vec3& normal
                                   local_corner(world.mesh, tet, node)));
   }
   const Body& body = body_at(world, node);
-  CrackAdvance advance = best_advance(world.mesh, node, star, forces, normal, path_offset_at(world, node));
+  CrackAdvance advance =
+      best_advance(world.mesh, node, star, forces, normal, path_offset_at(world, node), world.scratch.held_nodes);
   if (body.explicit_state) advance.energy_release *= body.explicit_state->similarity;
   return advance;
 }
@@ -173,10 +175,12 @@ void evaluate_separation(WorldState& world, const Body& body) {
 void evaluate_separation(WorldState& world, bool averaged) {
   const SeparationInput input = separation_input(world);
   world.scratch.node_load_sums.resize(world.nodes.positions.size());
+  world.scratch.held_nodes = held_nodes(world);
   parallel_for(static_cast<int>(world.bodies.size()), 16, [&](int first, int last) {
     for (const Body& body : std::span(world.bodies).subspan(first, last - first))
       if (body.is_deformable()) evaluate_body(world, input, body, averaged);
   });
+  world.scratch.held_nodes.clear();
   for (const Body& body : world.bodies) {
     if (body.rigid || body.explicit_state) continue;
     world.report.peak_utilization = std::max(world.report.peak_utilization, peak_utilization(world, body));

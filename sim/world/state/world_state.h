@@ -150,7 +150,9 @@ struct Scratch {
   std::vector<Vec3> edge_forces;               ///< per edge [N]
   std::vector<Vec3> edge_loads;                ///< external forces per edge in the substep [N]
   std::vector<TangentStiffness> tangents;      ///< per tet, of bodies that strain far
-  std::vector<Vec3> contact_impulses;          ///< per node of elastic bodies, in the substep [N·s]
+  std::vector<Vec3> contact_impulses;          ///< per node of elastic bodies, in the substep, bonds too [N·s]
+  std::vector<HeldNode> held_nodes;            ///< held_nodes() while separations are evaluated, if bonds count
+  std::vector<BodyId> bonds_broke_in;          ///< bodies that may have come apart in the substep
 
   Scratch() = default;
   Scratch(Scratch&&) = default;
@@ -195,7 +197,7 @@ struct WorldState {
   double time = 0;  ///< [s]
   std::vector<CrackEvent> crack_events;
   std::vector<PostponedCrack> postponed;
-  std::vector<CohesiveFace> cohesive_faces;  ///< cohesive faces of bodies in explicit dynamics, for full stiffness
+  std::vector<CohesiveFace> cohesive_faces;  ///< opened faces that hold or whose edges are tied, for full stiffness
   StepReport report;
   StepOutput output;
   EnergyAccount energy, energy_before;  ///< so far; before the present step

@@ -22,8 +22,9 @@ struct CrackedStrip {
   Integrator integrator = Integrator::hybrid;
   Analysis analysis = Analysis::dynamic;
   double budget = 1e4;
-  double size = kSize;    ///< size of its elements [m]
-  double strength = 1e9;  ///< [Pa]; energy alone decides by default
+  double size = kSize;      ///< size of its elements [m]
+  double strength = 1e9;    ///< [Pa]; energy alone decides by default
+  double time_step = 1e-3;  ///< [s]
 };
 
 Material brittle(double strength = 1e9) {
@@ -42,7 +43,7 @@ Scene pulled_strip(const CrackedStrip& strip) {
   scene.ground.reset();
   scene.analysis = strip.analysis;
   scene.simulation.integrator = strip.integrator;
-  scene.simulation.time_step = 1e-3;
+  scene.simulation.time_step = strip.time_step;
   scene.simulation.step_budget = strip.budget;
   BodyDescription body;
   body.shape = NotchedBeamShape{Vec3(2 * kHalfHeight, kStripLength, strip.size), kNotch, Vec3::Constant(strip.size),
@@ -53,6 +54,12 @@ Scene pulled_strip(const CrackedStrip& strip) {
   body.material.mass_damping = 2000;
   const double strain = std::sqrt(strip.energy * fracture_energy(material) / (material.young_modulus * kHalfHeight));
   for (const double side : {-1.0, 1.0}) {
+    Support glass;  // nothing bends the strip out of its plane
+    glass.kind = SupportKind::sliding;
+    glass.normal = Vec3::UnitZ();
+    glass.region = HalfSpaceRegion{Vec3(0, 0, side * strip.size / 2), Vec3(0, 0, side)};
+    glass.can_tear = false;
+    body.supports.push_back(glass);
     Support grip;
     grip.kind = SupportKind::prescribed;
     grip.region = HalfSpaceRegion{Vec3(side * kHalfHeight, 0, 0), Vec3(side, 0, 0)};
@@ -73,11 +80,16 @@ struct StripOutcome {
 
 StripOutcome crack_of(const CrackedStrip& strip) {
   World world(pulled_strip(strip));
-  for (int i = 0; i < 12; ++i) world.step();
+  constexpr double kPulled = 12e-3;           // [s]
+  const double quiet = 15 * strip.time_step;  // a row of nodes waits for the next at least
+  while (world.frame().time < kPulled - 1e-9) world.step();
   world.set_material(0, brittle(strip.strength));
   const EnergyAccount before = world.frame().energy;
-  const int steps = strip.integrator == Integrator::implicit ? 60 : 15;  // a row of nodes waits for the next at least
-  for (int i = 0; i < steps; ++i) world.step();
+  double last = kPulled;
+  while (world.frame().time < last + quiet - 1e-9) {
+    world.step();
+    if (world.frame().report.cracks > 0) last = world.frame().time;
+  }
   StripOutcome outcome;
   const double tip = kNotch - kStripLength / 2;
   for (const CrackEvent& event : world.frame().crack_events)
@@ -109,14 +121,37 @@ TEST_P(StripCrack, RunsThroughAboveTheFractureEnergy) {
   EXPECT_GT(crack_of(strip(1.6, Integrator::hybrid, Analysis::static_)).advance, 0.9);
 }
 
-TEST_P(StripCrack, TakesTheFractureEnergyOfItsAreaInExplicitDynamics) {
-  for (const double energy : {1.6, 2.0}) {
-    const StripOutcome outcome = crack_of(strip(energy));
-    const double whole = fracture_energy(brittle()) * (kStripLength - kNotch) * kSize;
-    EXPECT_NEAR(outcome.energy.fracture / whole, 1, 0.05) << energy;
-    EXPECT_LT(std::abs(outcome.energy.contacts), 0.05 * whole) << "the law of bonds agrees with their impulses";
-    EXPECT_LT(std::abs(outcome.energy.unaccounted()), 1e-3 * whole);
-  }
+TEST_P(StripCrack, TakesTheFractureEnergyOfItsArea) {
+  for (const Integrator integrator : {Integrator::hybrid, Integrator::implicit, Integrator::explicit_})
+    for (const double energy : {1.6, 2.0}) {
+      const StripOutcome outcome = crack_of(strip(energy, integrator));
+      const double whole = fracture_energy(brittle()) * (kStripLength - kNotch) * kSize;
+      EXPECT_NEAR(outcome.energy.fracture / whole, 1, 0.01) << energy << ", " << static_cast<int>(integrator);
+      EXPECT_LT(std::abs(outcome.energy.contacts), 0.02 * whole) << "the law of bonds agrees with their impulses";
+      const double late = integrator == Integrator::explicit_ ? 0.03 : 0;  // its damping is that of half a step before
+      EXPECT_LT(std::abs(outcome.energy.unaccounted()), (1e-3 + late) * whole);
+    }
+}
+
+/// A front that opens one row of nodes a step moves as slowly as the steps are long: what drives it is its energy
+/// alone.
+TEST(StripCrackEnergy, DecidesInImplicitStepsOnAnyMeshAndInAnyStep) {
+  for (const BoxPattern pattern : {BoxPattern::kuhn, BoxPattern::five_tet})
+    for (const double size : {0.125, 0.0625})
+      for (const double time_step : {1e-3, 4e-3}) {
+        const auto at = ::testing::Message() << size << " m, " << time_step << " s";
+        CrackedStrip strip{pattern, ElementOrder::linear, 0.9, Integrator::implicit};
+        strip.size = size, strip.time_step = time_step;
+        EXPECT_LE(crack_of(strip).advance, size / (kStripLength - kNotch)) << "a row of nodes at most: " << at;
+        strip.energy = 1.15;
+        const StripOutcome outcome = crack_of(strip);
+        const double area = (kStripLength - kNotch) * size, whole = fracture_energy(brittle()) * area;
+        EXPECT_GT(outcome.advance, 0.9) << at;
+        EXPECT_NEAR(outcome.energy.fracture / whole, 1, 0.01) << at;
+        EXPECT_NEAR(outcome.area / area, 1, 0.01) << at;
+        EXPECT_LT(std::abs(outcome.energy.contacts), 0.01 * whole) << at;
+        EXPECT_LT(std::abs(outcome.energy.unaccounted()), 1e-3 * whole) << at;
+      }
 }
 
 /// Beside the front the stress is above the strength there, but over too small a part to begin a second crack: faces
@@ -146,17 +181,20 @@ TEST(StripCrackEnergy, ScaledBodiesTakeTheFractureEnergyToo) {
 }
 
 TEST(StripCrackEnergy, HasTheSameBitsForAnyNumberOfThreads) {
-  const auto hash = [](int threads) {
+  const auto hash = [](Integrator integrator, int threads) {
     const ThreadLimit limit(threads);
-    World world(pulled_strip({BoxPattern::five_tet, ElementOrder::quadratic, 1.6}));
+    World world(pulled_strip({BoxPattern::five_tet, ElementOrder::quadratic, 1.6, integrator}));
     for (int i = 0; i < 12; ++i) world.step();
     world.set_material(0, brittle());
     for (int i = 0; i < 3; ++i) world.step();
+    EXPECT_FALSE(world.frame().crack_events.empty());
     return world.state_hash();
   };
-  const auto one = hash(1);
-  EXPECT_EQ(one, hash(2));
-  EXPECT_EQ(one, hash(4));
+  for (const Integrator integrator : {Integrator::hybrid, Integrator::implicit}) {
+    const auto one = hash(integrator, 1);
+    EXPECT_EQ(one, hash(integrator, 2));
+    EXPECT_EQ(one, hash(integrator, 4));
+  }
 }
 
 }  // namespace
