@@ -27,7 +27,7 @@ struct Cut {
 
 /// Planes of the faces of some tets, outward from one of them.
 struct Planes {
-  std::vector<Plane> outer, inner;  ///< of faces that one tet has; that two share
+  std::vector<Plane> outer, inner;  ///< planes of faces that one tet has; that two share
 };
 
 class Clustering {
@@ -71,7 +71,8 @@ class Clustering {
     return best;
   }
 
-  /// Of equal cuts the first counts, whatever rounding makes of their notches: equal shapes have equal clusters.
+  /// True if a cut is better than the best so far. The first of equal cuts counts, whatever rounding makes of their
+  /// notches: equal shapes have equal clusters.
   bool is_better(const Cut& cut, const Cut& best) const {
     return cut.crossed == best.crossed ? cut.notch > best.notch + tolerance_ : cut.crossed < best.crossed;
   }

@@ -73,7 +73,7 @@ ElementState element_state(const ElasticLaw& law, const ElementDeformation& defo
 
 /// Returns the traction that the dependence of the rotation Q on F = Q S adds to that of the stress. With δQ = Q Ω, the
 /// energy changes by Q Z : δF, Z the skew matrix of (tr(S) I − S)⁻¹ axial(`moments`), `moments` = S sigma; in its unit.
-/// Zero where stress and stretch have the same axes, as without stress-free strains, and in flat elements, where Q
+/// Zero where stress and S have the same axes, as without stress-free strains, and in flat elements, where Q
 /// jumps.
 Mat3 turning_traction(const Mat3& rotation, const Mat3& gradient, const Mat3& moments);
 /// Returns that of a state whose frame is a rotation, and F [Pa].
