@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "sim/world/bodies/acting_bonds.h"
 #include "sim/world/bodies/expected_impacts.h"
 #include "sim/world/conditions/projectiles.h"
 #include "sim/world/conditions/push.h"
@@ -15,7 +16,6 @@
 #include "sim/world/explicit/explicit_obstacles.h"
 #include "sim/world/explicit/explicit_regime.h"
 #include "sim/world/explicit/similarity.h"
-#include "sim/world/fracture/acting_bonds.h"
 #include "sim/world/fracture/fracture_phase.h"
 #include "sim/world/fracture/separation_phase.h"
 #include "sim/world/grab_force.h"

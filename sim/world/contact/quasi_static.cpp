@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "sim/geometry/disjoint_sets.h"
+#include "sim/world/bodies/acting_bonds.h"
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/fracture/acting_bonds.h"
 #include "sim/world/motion/motion_phase.h"
 
 namespace griffith {

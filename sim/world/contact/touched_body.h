@@ -5,8 +5,8 @@
 
 #include "sim/contact/contact_world.h"
 #include "sim/core/weighted_rows.h"
+#include "sim/world/bodies/acting_bonds.h"
 #include "sim/world/bodies/surface_point.h"
-#include "sim/world/fracture/acting_bonds.h"
 
 namespace griffith {
 

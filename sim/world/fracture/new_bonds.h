@@ -31,4 +31,8 @@ struct PartedNode {
 std::vector<NewBond> bonds_between(const WorldState& world, const PartedNode& parted,
                                    const std::function<Vec3(NodeId)>& acceleration);
 
+/// Bonds the copies of a node that has come apart in a step without microsteps, loaded `utilization` times its
+/// resistance: by the forces of its elements, whose states are those before.
+void bond_copies(WorldState& world, NodeId original, std::span<const NodeId> copies, double utilization);
+
 }  // namespace griffith

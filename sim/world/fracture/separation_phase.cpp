@@ -9,8 +9,8 @@
 #include "sim/fracture/fracture_law.h"
 #include "sim/fracture/resistance.h"
 #include "sim/mesh/topology.h"
+#include "sim/world/bodies/acting_bonds.h"
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/fracture/acting_bonds.h"
 #include "sim/world/state/corners.h"
 #include "sim/world/state/world_state.h"
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "sim/fracture/cohesion.h"
@@ -49,10 +48,6 @@ std::vector<bool> bodies_with_bonds(const WorldState& world);
 /// Returns what bonds do per node, empty without any: those bear a traction that are as far open as they have ever
 /// been.
 std::vector<HeldNode> held_nodes(const WorldState& world);
-
-/// Bonds the copies of a node that has come apart in a step without microsteps, loaded `utilization` times its
-/// resistance: by the forces of its elements, whose states are those before.
-void bond_copies(WorldState& world, NodeId original, std::span<const NodeId> copies, double utilization);
 
 /// Opens bonds as far as a step without microsteps has moved their nodes apart. The energy that they take counts as
 /// that of fracture in place of contacts, with which they were solved. Adds the bodies in which bonds broke to

@@ -1,4 +1,4 @@
-#include "sim/world/fracture/acting_bonds.h"
+#include "sim/world/bodies/acting_bonds.h"
 
 #include <algorithm>
 #include <tuple>
@@ -6,10 +6,7 @@
 
 #include "sim/core/sort_unique.h"
 #include "sim/core/tet_edge_corners.h"
-#include "sim/elasticity/placement.h"
-#include "sim/elasticity/quadratic_element.h"
 #include "sim/world/bodies/bonded_pieces.h"
-#include "sim/world/fracture/new_bonds.h"
 
 namespace griffith {
 namespace {
@@ -136,52 +133,6 @@ std::vector<bool> bodies_with_bonds(const WorldState& world) {
   for (const CohesiveFace& known : world.cohesive_faces)
     if (still_holds(known)) has_bonds[body_of(world, known.face).id.index()] = true;
   return has_bonds;
-}
-
-namespace {
-
-/// Returns the acceleration of a node by the forces of its elements alone [m/s²].
-Vec3 acceleration_by_elements(const WorldState& world, NodeId node) {
-  Vec3 force = Vec3::Zero();
-  for (const TetId tet : world.mesh->stars[node]) {
-    const RestElement& rest = world.elements.rest_elements[tet];
-    const int corner = local_corner(world.mesh, tet, node);
-    force += world.tet_edges->is_quadratic(tet)
-                 ? Vec3(quadratic_forces(rest, world.elements.quadratic_states[tet]).corners.col(corner))
-                 : corner_force(rest, world.elements.states[tet], corner);
-  }
-  return world.nodes.constraints[node].allowed * force / world.nodes.masses[node];
-}
-
-/// Adds a bond to those of its face. A slit that was in the mesh from the start is no crack and holds nothing.
-void add_bond(WorldState& world, const NewBond& made) {
-  if (world.elements.first_surface[made.face.first] >> griffith::face_of(made.face.first_corners) & 1) return;
-  CohesiveFace added{made.face, {}};
-  for (int corner = 0; corner < 3; ++corner)
-    if (is_at_front(world.mesh, made.face, corner)) added.bonds[corner] = Bond::closed();
-  const auto known = std::ranges::find_if(world.cohesive_faces, [&](const CohesiveFace& other) {
-    return (other.face.first == made.face.first && other.face.second == made.face.second) ||
-           (other.face.first == made.face.second && other.face.second == made.face.first);
-  });
-  int corner = made.corner;
-  if (known != world.cohesive_faces.end()) {
-    const bool is_same_way = known->face.first == made.face.first;
-    const std::array<int, 3>& corners = is_same_way ? known->face.first_corners : known->face.second_corners;
-    corner = static_cast<int>(std::ranges::find(corners, made.face.first_corners[made.corner]) - corners.begin());
-    added = *known;
-    remove_cohesive_face(world, known - world.cohesive_faces.begin());
-  }
-  added.bonds[corner] = made.bond;
-  add_cohesive_face(world, added);
-}
-
-}  // namespace
-
-void bond_copies(WorldState& world, NodeId original, std::span<const NodeId> copies, double utilization) {
-  const Mat3 turn = best_rotation(world.elements.states[world.mesh->stars[original].front()].frame);
-  const std::vector<NewBond> bonds = bonds_between(world, {original, copies, utilization, 1, turn},
-                                                   [&](NodeId copy) { return acceleration_by_elements(world, copy); });
-  for (const NewBond& made : bonds) add_bond(world, made);
 }
 
 void open_bonds(WorldState& world) {
