@@ -74,7 +74,9 @@ Mat3 turning_traction(const Mat3& rotation, const Mat3& gradient, const Mat3& mo
   return z.allFinite() ? Mat3(rotation * skew(z)) : Mat3(Mat3::Zero());
 }
 
-Mat3 turning_traction(const ElementState& state, const Mat3& gradient) {
+Mat3 turning_traction(ElementModel model, const RestElement& rest, const Corners& corners, const ElementState& state) {
+  if (model != ElementModel::corotational && !state.inverted) return Mat3::Zero();
+  const Mat3 gradient = deformation_gradient(rest, corners);
   return turning_traction(state.frame, gradient, state.frame.transpose() * gradient * state.stress.full());
 }
 

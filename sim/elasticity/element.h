@@ -73,11 +73,10 @@ ElementState element_state(const ElasticLaw& law, const ElementDeformation& defo
 
 /// Returns the traction that the dependence of the rotation Q on F = Q S adds to that of the stress. With δQ = Q Ω, the
 /// energy changes by Q Z : δF, Z the skew matrix of (tr(S) I − S)⁻¹ axial(`moments`), `moments` = S sigma; in its unit.
-/// Zero where stress and S have the same axes, as without stress-free strains, and in flat elements, where Q
-/// jumps.
+/// Zero where stress and S have the same axes, as without stress-free strains, and in flat elements, where Q jumps.
 Mat3 turning_traction(const Mat3& rotation, const Mat3& gradient, const Mat3& moments);
-/// Returns that of a state whose frame is a rotation, and F [Pa].
-Mat3 turning_traction(const ElementState& state, const Mat3& gradient);
+/// Returns that of an element with this state [Pa]; zero if the frame of its model is no rotation.
+Mat3 turning_traction(ElementModel model, const RestElement& rest, const Corners& corners, const ElementState& state);
 
 /// Returns a stress of rest space as Cauchy stress in the world frame, B sigma Bᵀ / det B [Pa]. The volume ratio counts
 /// as at least 0.01, so that a flat element's stress stays finite.

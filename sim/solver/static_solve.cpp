@@ -219,11 +219,10 @@ Balance StaticSolver::balance() {
 
 /// Returns V times the turning_traction() at the corners of a linear tet [N].
 Corners StaticSolver::turning_forces(TetId tet) const {
-  if (problem_.law.model != ElementModel::corotational && !states_[tet].inverted) return Corners::Zero();
   Corners places;
   for (int i = 0; i < 4; ++i) places.col(i) = positions_[problem_.mesh.tets[tet][i]];
   const RestElement& rest = problem_.rest_elements[tet];
-  return rest.volume * turning_traction(states_[tet], deformation_gradient(rest, places)) * rest.shape_gradients;
+  return rest.volume * turning_traction(problem_.law.model, rest, places, states_[tet]) * rest.shape_gradients;
 }
 
 void StaticSolver::add_elastic_forces(TetId tet, std::vector<Vec3>& forces, std::vector<Vec3>& edge_forces) const {

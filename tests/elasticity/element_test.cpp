@@ -89,7 +89,7 @@ TEST(StressFreeStrain, ForceIsMinusTheGradientOfTheEnergyAndHasNoTorque) {
       return element_state(kLaw, element_deformation(kLaw.model, rest, x), free);
     };
     const ElementState state = state_at(corners);
-    const Mat3 turning = turning_traction(state, deformation_gradient(rest, corners));
+    const Mat3 turning = turning_traction(kLaw.model, rest, corners, state);
     const Corners without = nodal_forces(rest, state.frame, state.stress.full());
     const Corners force = without - rest.volume * turning * rest.shape_gradients;
     const auto torque = [&](const Corners& forces) {

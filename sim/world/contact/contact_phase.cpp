@@ -97,8 +97,8 @@ bool must_deform(const WorldState& world, const Body& body, const Contact& conta
 /// True if a body is immovable or rigid under its contacts and could deform.
 bool may_deform(const Body& body) { return body.rigid ? !body.supported() : body.asleep; }
 
-/// Makes rigid and sleeping bodies deformable that must deform under the impulses found; in hybrid
-/// steps bonded ones are left to the microsteps of the next substep. Returns true if there were any.
+/// Makes rigid and sleeping bodies deformable that must deform under the impulses found; in hybrid steps
+/// bonded ones are left to the microsteps of the next substep. Returns true if there were any.
 bool make_struck_bodies_elastic(WorldState& world, double dt) {
   bool any = false;
   for (const Contact& contact : world.contact_world.contacts())

@@ -29,17 +29,14 @@ namespace {
 void add_linear_forces(const WorldState& world, const Body& body, std::span<simd::WideQuad> sums,
                        std::vector<Vec3>& forces) {
   const ElementArrays& elements = world.elements;
-  const bool is_corotational = elastic_law(world.material_of(body)).model == ElementModel::corotational;
-  const auto turns = [&](TetId tet) {
-    return (is_corotational || elements.states[tet].inverted) && !elements.stress_free_strain(tet).isZero(0);
-  };
+  const ElementModel model = world.material_of(body).element_model;
   const auto add = [&](TetId tet, const std::array<simd::WideQuad*, 4>& to) {
     const RestElement& rest = elements.rest_elements[tet];
     const CornerVectors gradients = corner_gradients(rest);
     CornerVectors tractions = corner_tractions(elements.states[tet], gradients);
-    if (turns(tet)) {
-      const Mat3 gradient = deformation_gradient(rest, corners_of(world.mesh, tet, world.nodes.positions));
-      tractions = tractions + product(turning_traction(elements.states[tet], gradient), gradients);
+    if (!elements.stress_free_strain(tet).isZero(0)) {
+      const Corners corners = corners_of(world.mesh, tet, world.nodes.positions);
+      tractions = tractions + product(turning_traction(model, rest, corners, elements.states[tet]), gradients);
     }
     const auto at_corners = one_by_one(tractions);
     for (int i = 0; i < 4; ++i) *to[i] -= rest.volume * at_corners[i];
