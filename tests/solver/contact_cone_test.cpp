@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "tests/random_values.h"
 
@@ -32,18 +33,34 @@ TEST(ContactCone, ProjectsOntoTheNearestImpulse) {
   }
 }
 
+/// Compares the derivative of a function from asked to found impulses with its difference quotient along a direction.
+void expect_derivative(const std::function<ConeProjection(const Vec3&)>& project, const Vec3& asked,
+                       const Vec3& direction) {
+  constexpr double kStep = 1e-7;
+  const ConeProjection found = project(asked);
+  const Vec3 quotient =
+      (project(asked + kStep * direction).impulse - project(asked - kStep * direction).impulse) / (2 * kStep);
+  EXPECT_LT((quotient - found.derivative * direction).norm(), 1e-5);
+  EXPECT_TRUE(found.derivative.isApprox(found.derivative.transpose()));
+}
+
 TEST(ContactCone, DerivativeIsTheDifferenceQuotient) {
   RandomValues random(2);
-  constexpr double kStep = 1e-7;
   for (int i = 0; i < 200; ++i) {
     const double friction = random.uniform(0.1, 1.5), least = i % 2 == 0 ? 0 : random.uniform(0, 1);
-    const Vec3 asked = random.vector(), direction = random.direction();
-    const ConeProjection found = project_on_cone(asked, friction, least);
-    const Vec3 quotient = (project_on_cone(asked + kStep * direction, friction, least).impulse -
-                           project_on_cone(asked - kStep * direction, friction, least).impulse) /
-                          (2 * kStep);
-    EXPECT_LT((quotient - found.derivative * direction).norm(), 1e-5);
-    EXPECT_TRUE(found.derivative.isApprox(found.derivative.transpose()));
+    const Vec3 asked = random.vector();
+    expect_derivative([&](const Vec3& impulse) { return project_on_cone(impulse, friction, least); }, asked,
+                      random.direction());
+  }
+}
+
+TEST(Bond, DerivativeIsTheDifferenceQuotient) {
+  RandomValues random(5);
+  for (int i = 0; i < 200; ++i) {
+    const double slack = random.uniform(0, 0.8), strength = random.uniform(0.05, 0.8);
+    const Vec3 asked = random.vector();
+    expect_derivative([&](const Vec3& impulse) { return hold_back(impulse, slack, strength); }, asked,
+                      random.direction());
   }
 }
 

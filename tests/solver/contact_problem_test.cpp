@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "sim/core/parallel.h"
-#include "sim/solver/contact_cone.h"
 #include "tests/random_values.h"
 #include "tests/solver/elastic_box.h"
 #include "tests/solver/rigid_contacts.h"
@@ -35,21 +34,6 @@ void expect_laws(const FrictionContact& contact, const Vec3& velocity, double sp
     EXPECT_LE(sliding, speed) << "sticks";
   } else if (sliding > speed && limit > impulse) {
     EXPECT_LT(contact.impulse.tail<2>().dot(velocity.tail<2>()), -0.999 * limit * sliding + impulse * speed);
-  }
-}
-
-TEST(Bond, DerivativeIsTheDifferenceQuotient) {
-  RandomValues random(5);
-  constexpr double kStep = 1e-7;
-  for (int i = 0; i < 200; ++i) {
-    const double slack = random.uniform(0, 0.8), strength = random.uniform(0.05, 0.8);
-    const Vec3 asked = random.vector(), direction = random.direction();
-    const ConeProjection found = hold_back(asked, slack, strength);
-    const Vec3 quotient = (hold_back(asked + kStep * direction, slack, strength).impulse -
-                           hold_back(asked - kStep * direction, slack, strength).impulse) /
-                          (2 * kStep);
-    EXPECT_LT((quotient - found.derivative * direction).norm(), 1e-5);
-    EXPECT_TRUE(found.derivative.isApprox(found.derivative.transpose()));
   }
 }
 
