@@ -322,6 +322,7 @@ std::vector<BodyId> part_bodies(WorldState& world, std::span<const BodyId> opene
 }
 
 void rebuild_pieces(WorldState& world, std::span<const BodyId> pieces) {
+  world.elements.own_states();
   std::vector<double> lost(pieces.size(), 0.0);
   parallel_for(static_cast<int>(pieces.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
