@@ -33,31 +33,23 @@ Eigen::Matrix3Xd ContactResponse::respond(const Eigen::Matrix3Xd& impulses, cons
   Eigen::VectorXd on_rows = Eigen::VectorXd::Zero(all_rows_.size()), all(all_rows_.size());
   motion_of_all_rows_.add_impulses(impulses, on_rows);
   for (std::size_t i = 0; i < changes_.size(); ++i) {
-    const NodeVectors on_body = all_rows_.change(i, on_rows);
-    changes_[i] = bodies_.condensed(i) ? respond_alone(deformable_[i], on_body, relative_residual, max_iterations)
-                                       : bodies_.change(i, y);
+    changes_[i] = respond_alone(deformable_[i], all_rows_.change(i, on_rows), relative_residual, max_iterations,
+                                bodies_.condensed(i) ? NodeVectors() : bodies_.change(i, y));
     all.segment(all_rows_.first_of_deformable(i), changes_[i].size()) = changes_[i].reshaped();
-    if (!bodies_.condensed(i)) make_whole_exact(i, on_body);
   }
   all.tail(all.size() - all_rows_.first_of_rigid()) = y.tail(y.size() - bodies_.first_of_rigid());
   return motion_of_all_rows_.of(all) - motion_.of(y);
 }
 
-void ContactResponse::make_whole_exact(std::size_t i, const NodeVectors& impulses) {
-  const DeformableInertia& body = deformable_[i];
-  if (!body.matrix || !body.whole.exists()) return;
-  const NodeVectors whole = velocities_of(body.whole, body.whole.momentum_of(impulses));
-  changes_[i] += body.whole.part_of(whole - changes_[i]);
-}
-
 NodeVectors respond_alone(const DeformableInertia& body, const NodeVectors& impulses, double relative_residual,
-                          int max_iterations) {
+                          int max_iterations, const NodeVectors& guess) {
   if (!body.matrix) return impulses * body.masses.cwiseInverse().asDiagonal();
-  NodeVectors rest = impulses, deforming = NodeVectors::Zero(3, impulses.cols());
-  NodeVectors whole = deforming;
+  NodeVectors rest = impulses, deforming = guess.size() > 0 ? guess : NodeVectors::Zero(3, impulses.cols());
+  NodeVectors whole = NodeVectors::Zero(3, impulses.cols());
   if (body.whole.exists()) {
     const NodeVectors momentum = body.whole.momentum_of(impulses);
     rest -= momentum;
+    deforming -= body.whole.part_of(deforming);
     whole = body.whole.part_of(velocities_of(body.whole, momentum));
   }
   conjugate_gradient(*body.matrix, {*body.preconditioner, body.factors}, rest, deforming, relative_residual,

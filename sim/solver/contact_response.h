@@ -15,17 +15,16 @@ class ContactResponse {
                   std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid,
                   std::span<const FrictionContact> contacts);
 
-  /// Lets all rows respond to impulses along the axes of contacts, which gave the unknowns the change `y`. Returns the
-  /// relative velocities at contacts that condensed bodies have beyond those of `y`, since their factors are those of
-  /// an earlier matrix. Those stop at a residual of `relative_residual`.
+  /// Lets all rows respond to impulses along the axes of contacts, which gave the unknowns the change `y`, up to a
+  /// residual of `relative_residual` of the impulses on a body. Its deformation counts by what it carries, however
+  /// slow it is. Returns the relative velocities at contacts beyond those of `y`: the factors of condensed bodies are
+  /// those of an earlier matrix, and `y` itself is exact up to a speed.
   Eigen::Matrix3Xd respond(const Eigen::Matrix3Xd& impulses, const Eigen::VectorXd& y, double relative_residual,
                            int max_iterations);
   /// Returns the change of a body's rows by the last call, one column a row [m/s]. The momentum of the whole is exact.
   const NodeVectors& change(std::size_t body) const { return changes_[body]; }
 
  private:
-  void make_whole_exact(std::size_t body, const NodeVectors& impulses);
-
   const ContactBodies& bodies_;
   const ContactMotion& motion_;
   std::span<const DeformableInertia> deformable_;
@@ -35,8 +34,8 @@ class ContactResponse {
 };
 
 /// Change of the velocities of a body by impulses on its rows alone [N·s]; the momentum of the whole is exact. The rest
-/// stops at a residual of `relative_residual`.
+/// begins with `guess` where there is one, and stops at a residual of `relative_residual`.
 NodeVectors respond_alone(const DeformableInertia& body, const NodeVectors& impulses, double relative_residual,
-                          int max_iterations);
+                          int max_iterations, const NodeVectors& guess = {});
 
 }  // namespace griffith

@@ -91,6 +91,42 @@ TEST_P(PressLaw, GraniteIsSqueezedOnRubberWithTheForceOfItsStrain) {
 INSTANTIATE_TEST_SUITE_P(Grid, PressLaw, ::testing::ValuesIn(testing::contact_cases({0.02, 0.2, 2})),
                          testing::contact_case_name);
 
+class PushingLaw : public testing::ContactLaw<ContactCase> {};
+
+// Coulomb: the support of a slow pusher, which hangs above the ground, bears µ m g and does the work of the friction.
+TEST_P(PushingLaw, ABlockPushedAlongTheGroundTakesItsFriction) {
+  const ContactCase& at = GetParam();
+  const double size = at.size, gap = 0.05 * size, speed = 0.1 * size, friction = 0.4;
+  Scene scene = testing::empty_scene(at);
+  scene.ground->friction = friction;
+  Material granite = preset("granite");
+  granite.friction = friction;
+  const Vec3 block(size, 0.5 * size, size), cell = Vec3::Constant(0.5 * size / at.refinement);
+  scene.bodies = {box("block", block, Vec3(0, block.y() / 2, 0), granite, cell),
+                  box("pusher", block, Vec3(-size, block.y() / 2 + gap, 0), granite, cell)};
+  scene.bodies[1].material.friction = 0;  // else the two faces could carry some of the weight
+  scene.bodies[1].supports = {
+      driven(HalfSpaceRegion{Vec3(-size / 2, 0, 0), -Vec3::UnitX()}, speed * Vec3::UnitX(), 10)};
+  World world(scene);
+  testing::run_to(world, 0.5);
+  const EnergyAccount before = world.frame().energy;
+  const double from = world.frame().time;
+  double force = 0;
+  const int steps = static_cast<int>(std::lround(0.5 / at.time_step));
+  for (int step = 0; step < steps; ++step) {
+    world.step();
+    force += testing::sum_of_reactions(world.frame()).x() / steps;
+  }
+  const double expected = friction * granite.density * block.prod() * kEarthGravity;
+  const double work = expected * speed * (world.frame().time - from);
+  testing::check_near("force of the support [N]", force, expected);
+  testing::check_near("work of the support [J]", world.frame().energy.supports - before.supports, work);
+  testing::check_near("energy of friction [J]", world.frame().energy.contacts - before.contacts, work);
+}
+
+INSTANTIATE_TEST_SUITE_P(Grid, PushingLaw, ::testing::ValuesIn(testing::contact_cases({0.01, 0.1, 1})),
+                         testing::contact_case_name);
+
 class JammingLaw : public testing::ContactLaw<ContactCase> {};
 
 /// A slender rod that leans by 40° from the upright, its foot on the ground, friction 2.
