@@ -17,15 +17,12 @@
 namespace griffith {
 namespace {
 
-/// True if a body touches one that is too soft for microsteps, which know that one as a rigid object: the force with
-/// which it presses would be missing.
+/// True if a body pressed in the last substep on one that is too soft for microsteps, which know that one as a rigid
+/// object: the force would be missing.
 bool presses_on_soft_body(const WorldState& world, const Body& body) {
-  const auto is_soft = [&](ProxyId object) {
-    const BodyId id = world.body_of(object);
+  return std::ranges::any_of(body.known_contact_loads, [&](const ContactLoad& load) {
+    const BodyId id = world.body_of(load.other);
     return id.valid() && deforms_visibly(world, world.bodies[id]) && !suits_microsteps(world, world.bodies[id], 0);
-  };
-  return std::ranges::any_of(world.contact_world.contacts(), [&](const Contact& contact) {
-    return (contact.a == body.proxy && is_soft(contact.b)) || (contact.b == body.proxy && is_soft(contact.a));
   });
 }
 
