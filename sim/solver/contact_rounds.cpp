@@ -70,8 +70,10 @@ class ContactSolver {
       if (stiffness_.empty()) break;  // no factors: impulses would grow from round to round, and move nothing
       if (round_.unconverged == 0 && found == Minimum::exact) responded = respond();
       if (responded) break;
-      if (round_.outer_change <= best_.outer_change) best_ = round_;
-      const bool goes_back = (is_coupled_ || is_last) && round_.outer_change > best_.outer_change;
+      // Impulses away from a round's minimum can be any: contacts are as stiff as their elements.
+      const bool is_best = found != Minimum::none && round_.outer_change <= best_.outer_change;
+      if (is_best) best_ = round_;
+      const bool goes_back = (is_coupled_ || is_last) && !is_best && best_.y.size() > 0;
       if (goes_back) go_back();
       if (is_last) break;
       if (goes_back) linearize();
