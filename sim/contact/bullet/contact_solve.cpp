@@ -98,6 +98,7 @@ int ContactWorld::Impl::solve(double dt, std::span<const ElasticObject> elastic,
   split_groups();
   const int work = solve_rigid_groups(dt);
   prepare_elastic_groups(dt, elastic);
+  scratch.is_solved = true;
   return work;
 }
 

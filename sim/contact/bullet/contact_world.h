@@ -149,6 +149,7 @@ struct SubstepScratch {
   std::vector<int> first_pairs;  ///< per object: its first pair as the first of the two; and the end
   std::vector<Pair> found;
   std::vector<bool> unlisted;           ///< per object: detect() has left out approaches of it that could cause damage
+  bool is_solved = false;               ///< true once the contacts of the last detect() have been solved
   std::vector<RigidBody> rigid_bodies;  ///< per object, as the last solve() moved them
   std::vector<RigidContact> rigid_contacts;  ///< contacts of groups without deformable objects
   std::vector<int> contact_of_row;           ///< per rigid contact: index into ContactState::contacts

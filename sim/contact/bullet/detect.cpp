@@ -92,6 +92,7 @@ double ContactWorld::Impl::allowance(ProxyId a, ProxyId b) const {
 
 void ContactWorld::Impl::list_contacts(double dt) {
   scratch.unlisted.assign(objects.size(), false);
+  scratch.is_solved = false;
   for (auto first = pairs.begin(); first != pairs.end();) {
     const auto end = std::find_if_not(first, pairs.end(),
                                       [&](const Pair& pair) { return pair.a == first->a && pair.b == first->b; });

@@ -79,7 +79,9 @@ ContactWorld::Impl::EndOfStep ContactWorld::Impl::end_of_step(std::size_t index,
   state.pose.rotation = (Quat(end.turn) * state.pose.rotation).normalized();
   const double radius = object.shape.radius, angle = dt * state.angular_velocity.norm();
   const double visible = kNoticed * radius;
-  const bool is_diverted = dt * (push.norm() + radius * spin.norm()) > visible &&
+  // Before the contacts are solved all that rests is about to fall; then also what gravity has turned back counts.
+  const Vec3 changed = scratch.is_solved ? Vec3(state.velocity - object.first_velocity) : push;
+  const bool is_diverted = dt * (changed.norm() + radius * spin.norm()) > visible &&
                            dt * state.velocity.norm() + radius * angle > visible,
              turns_far = 0.5 * angle * angle * radius > visible;
   end.matters = is_diverted || turns_far || scratch.unlisted[index];
