@@ -51,6 +51,7 @@ Command add_bench(CLI::App& program) {
       ->type_name("N");
   command->add_option("--thread-counts", definition.threads, "Thread counts to compare; default: 1,2")
       ->delimiter(',')
+      ->allow_extra_args(false)  // what follows is a scene
       ->check(CLI::Range(1, 1024))
       ->type_name("LIST");
   command->add_option("--json", options->json, "Also write all measurements as JSON")->type_name("FILE");

@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 TEST(Bench, ReportsTimesMemoryAndStateOfEachSceneAndNumberOfThreads) {
   const std::filesystem::path scene = small_wall_file(), file = test_folder() / "times.json";
   const Outcome outcome =
-      run_program("bench " + scene.string() + " --frames 12 --repeats 2 --thread-counts 1,2 --json " + file.string());
+      run_program("bench --frames 12 --repeats 2 --thread-counts 1,2 " + scene.string() + " --json " + file.string());
   ASSERT_EQ(outcome.code, 0) << outcome.output;
   EXPECT_THAT(outcome.output, HasSubstr("bytes/tet"));
   const nlohmann::json json = nlohmann::json::parse(read_file(file));
