@@ -95,6 +95,8 @@ void WorldBuilder::rebuild() {
 bool WorldBuilder::follow_edits() {
   const ui::EditHistory& history = document_.history();
   if (history.revision() == seen_revision_) return false;
+  // It must not replace the world of another scene.
+  if (!loader_.stage().empty() && loader_.reason() != LoadReason::follow) return false;
   // An edit in progress would make every step stale, and none would ever finish.
   if (history.editing() && state_.running && run_.steps_in_background()) return false;
   const std::int64_t revision = history.revision();

@@ -217,6 +217,76 @@ TEST_F(Arrange, AlignedCentersAreLevelWithTheLast) {
   EXPECT_EQ(position(0).x(), 1);
 }
 
+/// Counts what a hand does: each click, and each key or text typed.
+class ByHand : public Arrange {
+ protected:
+  void press(const std::string& tag) {
+    ++inputs_;
+    click(tag);
+    wait_for_work();
+  }
+  void press_with_ctrl(const std::string& tag) {
+    queue_.key(ui::key::kLeftControl, true);
+    press(tag);
+    queue_.key(ui::key::kLeftControl, false);
+    play();
+  }
+  void key(int key) {
+    ++inputs_;
+    press_key(key);
+    wait_for_work();
+  }
+  void enter(const std::string& text) {
+    ++inputs_;
+    type(text);
+  }
+  int inputs_ = 0;
+};
+
+TEST_F(ByHand, ATableFromAnEmptySceneTakesAtMostFortyInputs) {
+  execute("file.new");
+  press("menu/Add");
+  press("menu/add.plate");
+  press("body");
+  press("body/position/1");
+  enter("800");
+  key(ui::key::kEnter);
+  press("menu/Add");
+  press("menu/add.box");
+  press("material/preset");
+  press("material/preset/wood, along the grain");
+  press("body/shape");
+  press("body/shape/box/size/0");
+  for (const char* size : {"60", "690", "60"}) {
+    enter(size);
+    key(ui::key::kTab);
+  }
+  press("body/position/0");
+  enter("-350");
+  key(ui::key::kTab);
+  key(ui::key::kTab);
+  enter("-350");
+  key(ui::key::kEnter);
+  key(ui::key::kEnd);
+  press_with_ctrl("bodies/0");
+  for (const char* mirror : {"menu/edit.mirror_x", "menu/edit.mirror_z"}) {
+    press("menu/Edit");
+    press(mirror);
+  }
+  press("bodies/0");
+  key(ui::key::kEnd);
+  EXPECT_LE(inputs_, 40);
+  ASSERT_EQ(scene().bodies.size(), 5u);
+  EXPECT_NEAR(position(0).y(), 0.7, 1e-9) << "the top lies on the legs";
+  for (std::size_t leg = 1; leg < 5; ++leg) {
+    EXPECT_NEAR(position(leg).y(), 0.345, 1e-9);
+    EXPECT_NEAR(std::abs(position(leg).x()), 0.35, 1e-9);
+    EXPECT_NEAR(std::abs(position(leg).z()), 0.35, 1e-9);
+  }
+  for (int i = 0; i < 30; ++i) editor_.run().step();
+  EXPECT_EQ(editor_.run().frame().crack_events.size(), 0u);
+}
+
 TEST_F(Arrange, ATableStandsWholeAndABrickWallBreaks) {
   execute("file.new");
   execute("add.table");

@@ -243,6 +243,24 @@ TEST(NumberFields, EscapeTakesADragBack) {
   EXPECT_TRUE(ui.history.entries().empty());
 }
 
+TEST(NumberFields, WorkThatAFieldBeganTakesNothingFromTheNextOne) {
+  UiDriver ui(two_walls());
+  ui.click("material/young_modulus");
+  ui.press_key(key::kTab);
+  ui.state.work = "Building bodies";
+  for (int i = 0; i < 5; ++i) ui.frame();
+  for (const char letter : std::string_view("0.31"))
+    ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(letter));
+  ui.frame();
+  EXPECT_EQ(ui.value("material/poisson_ratio"), "0.31");
+  EXPECT_EQ(ui.value("work/stage"), "no widget work/stage");
+  EXPECT_EQ(ui.value("status/work"), "Building bodies ...");
+  ui.press_key(key::kEnter);
+  for (int i = 0; i < 3; ++i) ui.frame();
+  EXPECT_EQ(edited_material(ui).poisson_ratio, 0.31);
+  EXPECT_EQ(ui.value("work/stage"), "Building bodies") << "nothing is typed any more";
+}
+
 TEST(NumberFields, TabAndShiftTabGoFromFieldToFieldAndTakeWhatWasTyped) {
   UiDriver ui(two_walls());
   const auto type_and_tab = [&ui](const char* text, bool back) {

@@ -51,7 +51,11 @@ void draw_status_bar(Panel& panel) {
   const float problems =
       any_problem ? file - gap - ImGui::CalcTextSize(problem_count_text(panel.input.problems).c_str()).x : file;
   const float place = records ? problems - gap - ImGui::CalcTextSize(kRecording).x : problems;
-  if (const LogLine* last = status_line(panel.state)) {
+  if (!panel.state.work.empty()) {
+    const std::string work = panel.state.work + " ...";
+    ImGui::TextUnformatted(work.c_str());
+    tag_last_item(panel.tags, "status/work", work);
+  } else if (const LogLine* last = status_line(panel.state)) {
     const bool is_new = panel.state.log_seen <= static_cast<std::size_t>(last - log.data());
     const LogLevel level = is_new ? last->level : LogLevel::info;
     const float room = place - ImGui::GetCursorPosX() - ImGui::GetStyle().ItemSpacing.x;
