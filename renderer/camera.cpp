@@ -120,6 +120,14 @@ Camera frame_bounds(const Camera& camera, const Eigen::AlignedBox3f& bounds, flo
   return framed;
 }
 
+bool shows(const Camera& camera, const Eigen::AlignedBox3f& box, float aspect) {
+  const Axes eye = axes(camera);
+  const Vector3f way = box.center() - camera.position;
+  const float reach = eye.forward.dot(way) * tangent_of_half_angle(camera);  // half the picture's height there
+  return !box.contains(camera.position) && std::abs(eye.up.dot(way)) <= reach &&
+         std::abs(eye.right.dot(way)) <= aspect * reach;
+}
+
 Camera far_camera(const Camera& camera, const Eigen::Vector3f& toward_eye) {
   Camera seen{camera.target, camera.target, 2};
   seen.position += 0.5f * height_at_target(camera) / tangent_of_half_angle(seen) * toward_eye;

@@ -50,6 +50,9 @@ Camera zoom(const Camera& camera, float factor);
 /// in the picture. An empty box changes nothing.
 Camera frame_bounds(const Camera& camera, const Eigen::AlignedBox3f& bounds, float aspect);
 
+/// True if the eye is outside of a box, which is not empty, and the center of the box in a picture of shape `aspect`.
+bool shows(const Camera& camera, const Eigen::AlignedBox3f& box, float aspect);
+
 /// Returns a camera with the same target and the same height of the view there, whose eye is in the given direction,
 /// of length 1. It is so far away that its picture is nearly a parallel projection.
 Camera far_camera(const Camera& camera, const Eigen::Vector3f& toward_eye);

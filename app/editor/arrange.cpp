@@ -39,6 +39,7 @@ std::vector<std::size_t> append_bodies(ui::EditHistory& history, ui::EditorState
   for (BodyDescription& body : added) {
     body.name = ui::free_name(bodies, body.name);
     copies.push_back(bodies.size());
+    state.added_bodies.push_back(body.name);
     bodies.push_back(std::move(body));
   }
   set_bodies(history, state, label, std::move(bodies));

@@ -53,6 +53,7 @@ void add_bodies(ui::EditHistory& history, ui::EditorState& state, const std::str
   history.change(label, [&](Scene& scene) {
     for (BodyDescription& body : bodies) {
       offer_material(body.material, scene);
+      state.added_bodies.push_back(body.name);
       scene.bodies.push_back(std::move(body));
       added.push_back({EntryKind::body, last_of(scene.bodies)});
     }
@@ -125,6 +126,7 @@ void duplicate_entries(ui::EditHistory& history, ui::EditorState& state, const F
     for (const SceneEntry& entry : ui::selected_entries(state, scene)) {
       if (entry.kind == EntryKind::body) {
         scene.bodies.push_back(copy_of_body(scene, entry.index, frame));
+        state.added_bodies.push_back(scene.bodies.back().name);
         copies.push_back({EntryKind::body, last_of(scene.bodies)});
       } else {
         copies.push_back(ui::append_copy(scene, entry));

@@ -144,6 +144,20 @@ void Viewport::frame_all(const ShownWorld& world) {
   look_at(bulk.isEmpty() ? render::bounds(picture()) : bulk);
 }
 
+void Viewport::reveal(const ShownWorld& world, const std::vector<std::string>& bodies) {
+  const std::vector<BodyDescription>& described = world.scene.bodies;
+  const ShownMesh shown = shown_mesh(world.frame, state_.view, {}, hidden_bodies(state_, world.scene));
+  const std::vector<Eigen::AlignedBox3f> boxes = body_bounds(shown, described.size());
+  Eigen::AlignedBox3f all = bulk_bounds(shown);
+  bool are_shown = true;
+  for (std::size_t i = 0; i < described.size(); ++i) {
+    if (boxes[i].isEmpty() || std::ranges::find(bodies, described[i].name) == bodies.end()) continue;
+    are_shown &= render::shows(picture_camera(0), boxes[i], aspect(0));
+    all.extend(boxes[i]);
+  }
+  if (!are_shown) look_at(all);
+}
+
 void Viewport::follow_mouse(bool steps_lag) {
   const ui::CameraMotion motion = std::exchange(state_.camera_motion, {});
   draft_.follow(steps_lag || !(motion == ui::CameraMotion{}));

@@ -70,6 +70,9 @@ class Viewport {
   void use_view(const std::string& names, const Frame& frame);
   void look_from(const Vec3& eye, const Vec3& target);
   void frame_all(const ShownWorld& world);
+  /// Frames all, and bodies of the scene by name, if one of those is out of the camera's picture. Unknown and hidden
+  /// ones count for nothing.
+  void reveal(const ShownWorld& world, const std::vector<std::string>& bodies);
   /// Moves camera and slice as the mouse did. `steps_lag`: the simulation runs and cannot keep up.
   void follow_mouse(bool steps_lag);
   /// Lets pictures that take longer than `smooth` [s] be drafts while the camera moves or steps lag.

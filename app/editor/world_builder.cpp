@@ -158,6 +158,7 @@ void WorldBuilder::fail(const InputError& error) {
 }
 
 void WorldBuilder::end_work() {
+  state_.added_bodies.clear();
   if (loader_.reason() != LoadReason::follow) {
     seen_revision_ = -1;  // it may have replaced a world that was to follow an edit
     return;
@@ -193,7 +194,13 @@ void WorldBuilder::show_followed(WorldLoader::Loaded loaded) {
   seen_revision_ = -1;
   run_.restart(std::move(loaded));
   if (start_of(run_.built()) != start_of(before)) log_findings();
-  if (before.bodies.empty()) viewport_.frame_all(run_.shown());
+  show_added(before.bodies.empty());
+}
+
+void WorldBuilder::show_added(bool was_empty) {
+  const std::vector<std::string> added = std::exchange(state_.added_bodies, {});
+  if (was_empty) return viewport_.frame_all(run_.shown());
+  viewport_.reveal(run_.shown(), added);
 }
 
 void WorldBuilder::show_recovered(WorldLoader::Loaded loaded) {
@@ -210,6 +217,7 @@ void WorldBuilder::show_recovered(WorldLoader::Loaded loaded) {
 }
 
 void WorldBuilder::show_extended(WorldLoader::Loaded loaded) {
+  const bool was_empty = run_.built().bodies.empty();
   const int added = static_cast<int>(loaded.scene.bodies.size()) - 1;
   document_.history().change("Add body", [&](Scene& scene) { scene.bodies = loaded.scene.bodies; });
   document_.history().finish();
@@ -219,12 +227,14 @@ void WorldBuilder::show_extended(WorldLoader::Loaded loaded) {
   state_.report = surface_report(run_.world(), document_.scene(), added);
   log_message(state_, ui::LogLevel::info, state_.report->title + ": " + state_.report->facts.front());
   for (const std::string& warning : state_.report->warnings) log_message(state_, ui::LogLevel::warning, warning);
-  viewport_.frame_all(run_.shown());
+  state_.added_bodies.push_back(document_.scene().bodies.back().name);
+  show_added(was_empty);
 }
 
 void WorldBuilder::show_scene(Scene scene, const Scene* edited, fs::path path, SceneDocument::FileTime file_time,
                               BuiltWorld built) {
   begin_scene(state_, edited ? *edited : scene);
+  state_.added_bodies.clear();
   document_.show(std::move(scene), std::move(path), edited, file_time);
   scenes_.list(document_.path());
   seen_revision_ = -1;

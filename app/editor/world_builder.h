@@ -50,6 +50,8 @@ class WorldBuilder {
   void show_followed(WorldLoader::Loaded loaded);
   void show_recovered(WorldLoader::Loaded loaded);
   void show_extended(WorldLoader::Loaded loaded);
+  /// Brings the bodies that were added into view; all of a scene that was empty.
+  void show_added(bool was_empty);
   /// Replaces scene and world. `scene`: in the file; `edited`: unsaved version of it.
   void show_scene(Scene scene, const Scene* edited, std::filesystem::path path, SceneDocument::FileTime file_time,
                   BuiltWorld built);

@@ -83,4 +83,15 @@ Eigen::AlignedBox3f bulk_bounds(const ShownMesh& shown) {
   return box.cast<float>();
 }
 
+std::vector<Eigen::AlignedBox3f> body_bounds(const ShownMesh& shown, std::size_t count) {
+  const Frame& frame = shown.frame;
+  std::vector<Eigen::AlignedBox3f> boxes(count);
+  for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet) {
+    Eigen::AlignedBox3f& box = boxes[static_cast<std::size_t>(frame.bodies[frame.elements.bodies[tet]].scene_body)];
+    for (const NodeId node : frame.elements.tets[tet])
+      if (shown.positions[node].allFinite()) box.extend(shown.positions[node].cast<float>());
+  }
+  return boxes;
+}
+
 }  // namespace griffith::app

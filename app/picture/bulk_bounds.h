@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <vector>
 
 #include "app/picture/shown_mesh.h"
 
@@ -10,5 +11,8 @@ namespace griffith::app {
 /// together, and all other pieces and projectiles within half of their extent. Objects farther away are left out. Empty
 /// without bodies.
 Eigen::AlignedBox3f bulk_bounds(const ShownMesh& shown);
+
+/// Returns the bounding boxes of `count` bodies of the scene, with all their pieces [m]; empty for hidden ones.
+std::vector<Eigen::AlignedBox3f> body_bounds(const ShownMesh& shown, std::size_t count);
 
 }  // namespace griffith::app

@@ -71,6 +71,28 @@ TEST_F(BodiesTest, BodiesAreAddedBesideEachOtherOnTheGround) {
   EXPECT_EQ(editor_.run().frame().bodies.size(), 6u);
 }
 
+TEST_F(BodiesTest, WhatIsAddedOutOfViewIsBroughtIntoIt) {
+  const ui::Command array = {.name = "edit.make_array", .step = 5, .offset = Vec3(0, 0, 20)};
+  for (const ui::Command& command : {ui::Command{.name = "add.box"}, ui::Command{.name = "add.table"},
+                                     ui::Command{.name = "edit.duplicate"}, array}) {
+    editor_.viewport().look_from(Vec3(0, 1, 40), Vec3(0, 1, 100));
+    draw();
+    EXPECT_EQ(hits_across(), 0);
+    editor_.execute(command);
+    settle();
+    EXPECT_GT(hits_across(), 0) << command.name;
+  }
+}
+
+TEST_F(BodiesTest, TheViewStaysWhereWhatIsAddedIsInIt) {
+  editor_.viewport().look_from(Vec3(0, 3, 40), Vec3(0, 1, 0));
+  for (const char* command : {"add.box", "add.table", "edit.duplicate"}) {
+    add(command);
+    EXPECT_EQ(editor_.viewport().camera().position, Eigen::Vector3f(0, 3, 40)) << command;
+    EXPECT_EQ(editor_.viewport().camera().target, Eigen::Vector3f(0, 1, 0)) << command;
+  }
+}
+
 TEST_F(BodiesTest, ACopyHasANameOfItsOwnAndDeletingTakesItOut) {
   begin();
   add("add.box");

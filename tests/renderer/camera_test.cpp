@@ -140,6 +140,28 @@ TEST_F(CameraLaws, FramedBoundsAreInThePictureAndBetweenNearAndFar) {
   }
 }
 
+TEST_F(CameraLaws, ABoxIsShownIfItsCenterIsAPixelAndTheEyeIsOutside) {
+  constexpr int kWidth = 640, kHeight = 360;
+  constexpr float kAspect = 640.0f / 360;
+  const Eigen::AlignedBox2f picture(Eigen::Vector2f(0, 0), Eigen::Vector2f(kWidth, kHeight));
+  int shown = 0;
+  for (int trial = 0; trial < 500; ++trial) {
+    const Camera seen = camera();
+    const Vector3f center = place(20), reach = place(3).cwiseAbs();
+    const Eigen::AlignedBox3f box(center - reach, center + reach);
+    const bool ahead = (center - seen.position).dot(seen.target - seen.position) > 0;
+    const bool is_shown =
+        ahead && picture.contains(project(seen, center, kWidth, kHeight)) && !box.contains(seen.position);
+    EXPECT_EQ(shows(seen, box, kAspect), is_shown) << trial;
+    EXPECT_TRUE(shows(frame_bounds(seen, box, kAspect), box, kAspect)) << trial;
+    shown += is_shown;
+    const Camera inside{center, center + Vector3f::UnitX()};
+    EXPECT_FALSE(shows(inside, box, kAspect)) << trial;
+  }
+  EXPECT_GT(shown, 50);
+  EXPECT_LT(shown, 450);
+}
+
 TEST(Camera, LooksStraightDown) {
   const Camera down{{1, 5, 2}, {1, 0, 2}, 40};
   const Eigen::Matrix3f rotation = view_matrix(down).topLeftCorner<3, 3>();

@@ -188,9 +188,10 @@ struct EditorState {
   double push_impulse = 10;                  ///< impulse of the next push [N·s]
   std::optional<PushMark> push_mark;         ///< last push
   std::optional<Material> dragged_material;  ///< while a material is dragged onto a body
-  std::optional<Vec2> pointed_at;   ///< point of the viewport below the mouse, 0..1, while a tool needs its piece
-  int selected_body = 0;            ///< index into Scene::bodies
-  std::vector<SceneEntry> entries;  ///< entries selected in the outliner, in that order; empty: the selected body
+  std::optional<Vec2> pointed_at;         ///< point of the viewport below the mouse, 0..1, while a tool needs its piece
+  int selected_body = 0;                  ///< index into Scene::bodies
+  std::vector<SceneEntry> entries;        ///< entries selected in the outliner, in that order; empty: the selected body
+  std::vector<std::string> added_bodies;  ///< names of bodies to bring into view once they are built
   std::optional<SceneEntry> listed_entry;  ///< the active entry when the outliner was drawn last
   std::optional<SceneEntry> renamed;       ///< entry whose name is being typed
   std::string new_name;
