@@ -110,8 +110,8 @@ std::optional<Push> Viewport::pushed_at(const ShownWorld& world, const Vec2& cur
   if (!tet.valid()) return std::nullopt;
   const ShownMesh shown = shown_mesh(world.frame, state_.view, {}, hidden_bodies(state_, world.scene));
   const render::Ray ray = ray_at(point);
-  return Push{tet.index(), seen_weights(shown, tet, ray),
-              state_.push_impulse * ray.direction.cast<double>().normalized()};
+  const double impulse = state_.push_speed * world.frame.bodies[world.frame.elements.bodies[tet]].mass;
+  return Push{tet.index(), seen_weights(shown, tet, ray), impulse * ray.direction.cast<double>().normalized()};
 }
 
 Vec3 Viewport::dragged_to(const Vec3& target, const Vec2& cursor) const {

@@ -177,17 +177,18 @@ TEST_F(EditorGrab, AClickWithTheToolPushesAlongTheLineOfSight) {
   const Vec2 place = place_of_body();
   press_key('I');
   EXPECT_TRUE(editor_.state().push_tool);
-  editor_.state().push_impulse = 30;
+  editor_.state().push_speed = 3;
+  const double mass = frame().bodies[frame().elements.bodies[editor_.state().selection.tet]].mass;
   const Vec3 before = frame().totals.momentum;
   move_to(place);
   draw(2);
-  EXPECT_THAT(value("push/readout"), HasSubstr("30 N·s on "));
+  EXPECT_THAT(value("push/readout"), HasSubstr("3 m/s on "));
   press_at(place);
   release_button();
   EXPECT_EQ(editor_.run().timeline().inputs().size(), 1u);
   ASSERT_TRUE(editor_.state().push_mark);
   const Vec3 impulse = editor_.state().push_mark->impulse;
-  EXPECT_NEAR(impulse.norm(), 30, 1e-9);
+  EXPECT_NEAR(impulse.norm(), 3 * mass, 1e-9 * mass);
   const Vec3 sight =
       (editor_.state().push_mark->point - editor_.viewport().camera().position.cast<double>()).normalized();
   EXPECT_GT(impulse.normalized().dot(sight), 0.999) << "away from the eye, through the point";
@@ -198,10 +199,33 @@ TEST_F(EditorGrab, AClickWithTheToolPushesAlongTheLineOfSight) {
   EXPECT_FALSE(editor_.state().push_tool) << "one tool at a time";
 }
 
+TEST_F(EditorGrab, APushGivesLightAndHeavyPiecesTheSameSpeed) {
+  const auto velocity = [&]() -> Vec3 {
+    double mass = 0;
+    for (const BodyView& body : frame().bodies) mass += body.mass;
+    return frame().totals.momentum / mass;
+  };
+  for (const double density : {20.0, 2e4}) {
+    editor_.document().history().change("free", [&](Scene& scene) {
+      scene.gravity = Vec3::Zero();
+      scene.ground.reset();
+      scene.projectiles.clear();
+      scene.bodies[0].material.density = density;
+    });
+    editor_.document().history().finish();
+    draw();
+    wait_for_work();
+    const Vec3 before = velocity();
+    editor_.execute({.name = "simulation.push_at", .cursor = place_of_body()});
+    make_steps(1);
+    EXPECT_NEAR((velocity() - before).norm(), editor_.state().push_speed, 1e-6) << density;
+  }
+}
+
 TEST_F(EditorGrab, PushesAreRepeatedToTheBit) {
   make_steps(10);
   const Vec2 place = place_of_body();
-  editor_.state().push_impulse = 100;
+  editor_.state().push_speed = 5;
   editor_.execute({.name = "simulation.push_at", .cursor = place});
   make_steps(20);
   const std::uint64_t end = editor_.run().world().state_hash();

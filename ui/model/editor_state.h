@@ -185,7 +185,7 @@ struct EditorState {
   bool holds_piece = false;                  ///< the mouse or a script holds a piece
   bool mouse_grabs = false;                  ///< the left button went down to grab
   bool push_tool = false;                    ///< a click pushes the piece below it
-  double push_impulse = 10;                  ///< impulse of the next push [N·s]
+  double push_speed = 2;                     ///< speed that the next push gives to a free piece [m/s]
   std::optional<PushMark> push_mark;         ///< last push
   std::optional<Material> dragged_material;  ///< while a material is dragged onto a body
   std::optional<Vec2> pointed_at;         ///< point of the viewport below the mouse, 0..1, while a tool needs its piece

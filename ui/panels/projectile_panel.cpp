@@ -148,12 +148,14 @@ void draw_grab_panel(Panel& panel) {
 void draw_push_panel(Panel& panel) {
   if (!panel.state.push_tool) return;
   heading(panel, "Push");
-  number_field_row(panel,
-                   {.tag = "push/impulse",
-                    .label = "Impulse",
-                    .numbers = {.minimum = 1e-6, .maximum = 1e9, .unit = "N·s"},
-                    .tooltip = "Momentum that a click gives to the piece, by a constant force in the next time step."},
-                   panel.state.push_impulse);
+  number_field_row(
+      panel,
+      {.tag = "push/speed",
+       .label = "Change of speed",
+       .numbers = {.minimum = 1e-4, .maximum = 1e4, .unit = "m/s"},
+       .tooltip = "Speed that a click gives to a free piece: its impulse is the mass of the piece times this "
+                  "speed, by a constant force in the next time step."},
+      panel.state.push_speed);
   hint(panel, "Click a piece in the view. It is an input of the run, like a shot.");
 }
 

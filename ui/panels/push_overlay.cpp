@@ -25,12 +25,13 @@ void draw_mark(const Panel& panel, ImDrawList* list, const PushMark& mark) {
   list->AddCircleFilled(center, 2 * scale, kHeldColor);
 }
 
-/// Describes the push of a piece: "10 N·s on 2.5 kg: 4 m/s".
+/// Describes the push of a piece: "4 m/s on 2.5 kg: 10 N·s".
 std::string preview_of(const Panel& panel, const BodyView& piece) {
-  const double impulse = panel.state.push_impulse;
-  const std::string text = format_quantity(impulse, "N·s", 3) + " on " + format_quantity(piece.mass, "kg", 3);
-  return piece.supported ? text + ", which supports hold"
-                         : text + ": " + format_quantity(impulse / piece.mass, "m/s", 3);
+  const double speed = panel.state.push_speed;
+  const std::string impulse = format_quantity(speed * piece.mass, "N·s", 3),
+                    mass = format_quantity(piece.mass, "kg", 3);
+  return piece.supported ? impulse + " on " + mass + ", which supports hold"
+                         : format_quantity(speed, "m/s", 3) + " on " + mass + ": " + impulse;
 }
 
 }  // namespace
