@@ -1,6 +1,7 @@
 #include "app/picture/draw_scene_from_frame.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "app/picture/carried_points.h"
 #include "app/picture/crack_dust.h"
@@ -95,9 +96,24 @@ void color_by_material(render::DrawScene& picture, const Frame& frame) {
   }
 }
 
+/// Returns the values with NaN in place of those without a color in the picture: of hidden bodies, and of gray ones.
+QuantityValues colored_values(const ShownMesh& shown, QuantityValues values) {
+  const bool has_gray = shown.view.elements != ElementStyle::wireframe && follows_from_strain(shown.view.quantity);
+  const std::size_t per_tet = values.place == ValuePlace::tet ? 1 : 4;
+  for (std::size_t i = 0; i < values.values.size(); ++i) {
+    const BodyId body = values.place == ValuePlace::node
+                            ? shown.body_of(NodeId(static_cast<std::int64_t>(i)))
+                            : shown.frame.elements.bodies[TetId(static_cast<std::int64_t>(i / per_tet))];
+    if (shown.is_hidden(body) || (has_gray && shown.frame.bodies[body].rigid))
+      values.values[i] = std::numeric_limits<float>::quiet_NaN();
+  }
+  return values;
+}
+
 /// Returns the style of scalars. `automatic`: the range if the view has none.
-render::ScalarStyle scalar_style(const ViewSettings& view, const QuantityValues& values, const Vec2& automatic) {
+render::ScalarStyle scalar_style(const ShownMesh& shown, const QuantityValues& values, const Vec2& automatic) {
   constexpr int kBins = 48;
+  const ViewSettings& view = shown.view;
   const bool parted = ui::parts_at_zero(view);
   Vec2 range = view.range.value_or(automatic);
   if ((view.symmetric || parted) && !view.range) range = symmetric_range(range);
@@ -107,7 +123,7 @@ render::ScalarStyle scalar_style(const ViewSettings& view, const QuantityValues&
   style.color_map = render::find_color_map(view.color_map).value_or(parted ? render::ColorMap::coolwarm : one_sided);
   style.minimum = static_cast<float>(range[0]);
   style.maximum = static_cast<float>(range[1]);
-  style.histogram = histogram(values, range, kBins);
+  style.histogram = histogram(colored_values(shown, values), range, kBins);
   style.has_nan =
       values.place != ValuePlace::face && std::ranges::any_of(values.values, [](float v) { return std::isnan(v); });
   const Quantity* quantity = find_view_quantity(view.quantity);
@@ -273,7 +289,7 @@ render::DrawScene drawn(const Frame& frame, const EmbeddedPieces& pieces, std::s
   const TetFilter filter(shown, pieces);
   if (values && !frame.elements.tets.empty())
     result.surface.scalar_style =
-        scalar_style(view, *values, range ? *range : automatic_range(frame, view.quantity, *values));
+        scalar_style(shown, *values, range ? *range : automatic_range(frame, view.quantity, *values));
   add_elements(shown, filter, values ? &*values : nullptr, selection.tet, result);
   if (filter.shows_embedded()) result.embedded = embedded_surface(shown, pieces, orders);
   result.embedded.materials = natural_materials(scene);

@@ -199,6 +199,27 @@ TEST_F(ViewsTest, SymmetricRangeReachesAsFarBelowZero) {
   EXPECT_FALSE(style.has_nan);
 }
 
+TEST_F(ViewsTest, TheHistogramCountsWhatIsColored) {
+  const Frame frame = broken_->frame();
+  const auto counted = [&](const std::string& quantity, ElementStyle style, const HiddenBodies& hidden) {
+    ViewSettings view;
+    view.quantity = quantity;
+    view.elements = style;
+    const auto drawn = draw_scene_from_frame(frame, embedded_display(frame, scene_), scene_, view, {}, {}, hidden);
+    const std::vector<int>& counts = drawn.surface.scalar_style.histogram;
+    return std::accumulate(counts.begin(), counts.end(), std::ptrdiff_t{0});
+  };
+  const auto all = std::ssize(frame.elements.tets);
+  const auto rigid =
+      std::ranges::count_if(frame.elements.bodies, [&](BodyId body) { return frame.bodies[body].rigid; });
+  ASSERT_GT(rigid, 0);
+  EXPECT_EQ(counted("von_mises", ElementStyle::surface, {}), all - rigid) << "rigid ones are gray";
+  EXPECT_EQ(counted("von_mises", ElementStyle::wireframe, {}), all) << "a wireframe has no gray";
+  EXPECT_EQ(counted("element_quality", ElementStyle::surface, {}), all);
+  EXPECT_EQ(counted("speed", ElementStyle::surface, {}), std::ssize(frame.nodes.positions));
+  EXPECT_EQ(counted("speed", ElementStyle::surface, {0}), 0) << "hidden";
+}
+
 TEST_F(ViewsTest, UnlitPixelsHaveTheLegendsColorOfTheirElementsValue) {
   ViewSettings view;
   view.quantity = "von_mises";
