@@ -73,9 +73,7 @@ EmbeddedPass::EmbeddedPass()
       glass_program_("clear embedded surface", shaders::embedded_vert, embedded_fragment(Output::glass).c_str()),
       grain_program_("broken embedded surface", shaders::embedded_vert,
                      ("#define GRAIN\n" + embedded_fragment(Output::opaque)).c_str()),
-      depth_program_("embedded depth", shaders::embedded_vert, shaders::depth_frag),
-      part_depth_program_("depth of part of an embedded surface", shaders::embedded_vert,
-                          shaders::embedded_depth_frag) {
+      depth_program_("embedded depth", shaders::embedded_vert, shaders::depth_frag) {
   glBindVertexArray(vertices_.id());
   glBindBuffer(GL_ARRAY_BUFFER, corners_.id());
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_.id());
@@ -134,10 +132,10 @@ void EmbeddedPass::upload_opened(const std::vector<std::int32_t>& opened) {
 
 void EmbeddedPass::draw_depth(DrawnPart part) const {
   if (!mesh_) return;
-  const ShaderProgram& program = part == DrawnPart::all ? depth_program_ : part_depth_program_;
-  program.use();
-  program.set("drawn_part", static_cast<int>(part));
-  program.set("scalar_kind", 0);
+  depth_program_.use();
+  depth_program_.set("drawn_part", static_cast<int>(part));
+  depth_program_.set("selected_tet", -1);  // what is transparent throws the same shadow when it is selected
+  depth_program_.set("scalar_kind", 0);
   draw_triangles(0, indices_);
 }
 

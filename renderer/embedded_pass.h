@@ -30,7 +30,7 @@ class EmbeddedPass {
   void draw_triangles(GLsizei first, GLsizei end) const;  ///< draws a range of the indices
 
   LitProgram program_, transparent_program_;
-  ShaderProgram plain_program_, glass_program_, grain_program_, depth_program_, part_depth_program_;
+  ShaderProgram plain_program_, glass_program_, grain_program_, depth_program_;
   VertexArray vertices_;
   Buffer corners_, triangles_;
   StreamTexture points_{GL_R32F}, tets_{GL_R32I}, carriers_{GL_R32I}, scalars_{GL_R32F}, colors_{GL_R32F};

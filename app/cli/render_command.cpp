@@ -274,8 +274,10 @@ void add_how(CLI::App& command, RenderOptions& options) {
           "Size of the picture, drawn in parts if it is large; default: 1280x720")
       ->type_name("WxH");
   command
-      .add_option("--samples", options.job.samples,
-                  "Samples per pixel for antialiasing; default: 4, or 1 in draft quality")
+      .add_option(
+          "--samples", options.job.samples,
+          "Samples per pixel for antialiasing; default: 4, or 1 in draft quality and in each of the 48 pictures of a "
+          "poster")
       ->check(CLI::Range(1, 16))
       ->type_name("S");
   command

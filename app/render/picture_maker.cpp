@@ -106,7 +106,9 @@ struct PictureMaker::Impl {
   }
 
   render::RenderOptions options_of(const Viewpoint& viewpoint) const {
-    return picture_options(job.width, job.height, job.samples, viewpoint.view);
+    // Exposures of a poster differ by parts of a pixel: together they smooth edges.
+    const std::optional<int> usual = job.poster ? std::optional(1) : std::nullopt;
+    return picture_options(job.width, job.height, job.samples ? job.samples : usual, viewpoint.view);
   }
 
   /// Draws the mean of many exposures of a part. `matte`: instead of ground and background.

@@ -1,5 +1,7 @@
 uniform isamplerBuffer tets, carriers;
 uniform samplerBuffer points, scalars;
+uniform samplerBuffer materials;
+uniform int selected_tet, drawn_part;  // a DrawnPart
 uniform int scalar_kind;  // 0: none, 1: per tet, 2: per point
 layout(location = 0) in vec3 corner_rest;
 layout(location = 1) in vec4 weights;
@@ -31,6 +33,13 @@ vec3 carried_normal(vec3 products, vec3 places[4]) {
   return normalize(normal) * sign(dot(a, cross(b, c)));
 }
 
+// False if the polygon, whose corners have one material, is transparent and what is drawn is not, or the other way
+// round: its fragments would be shaded for nothing. Selection, which differs between corners, is left to fragments.
+bool is_drawn() {
+  if (drawn_part < 3 || selected_tet >= 0) return true;
+  return (drawn_part == 4) == (texelFetch(materials, 16 * (corner_labels.w & 0xffff) + 10).r > 0.0);
+}
+
 void main() {
   carrier = texelFetch(carriers, corner_labels.y).r;
   vec4 share = carrier == corner_labels.x ? weights : other_weights;
@@ -50,5 +59,5 @@ void main() {
   own_weights = weights;
   labels = corner_labels;
   gl_ClipDistance[0] = visible.w - dot(visible.xyz, position);
-  gl_Position = view_projection * vec4(position, 1.0);
+  gl_Position = is_drawn() ? view_projection * vec4(position, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);  // outside
 }

@@ -25,15 +25,18 @@ void emit_glass(vec3 color, float clear_depth, vec3 covered, vec3 position, vec3
   float visible_here = gl_FrontFacing ? float(beyond > 0.0) : smoothstep(0.0, touching, beyond);
   vec3 absorption = -log(max(linear_from_srgb(color), 1e-3)) / clear_depth;
   float share = mirrored_share(vec3(kDielectric), normal, ray, 0.0).x;
-  vec3 direction = reflect(ray, normal), mirrored = environment(direction, 0.0) + lamp_light(direction, 0.0);
+  vec3 direction = reflect(ray, normal), blurred = environment(direction, 0.1);
+  vec3 mirrored = (rough ? blurred : environment(direction, 0.0)) + lamp_light(direction, rough ? 0.1 : 0.0);
   float cosine = abs(dot(normal, ray)), within = gl_FrontFacing ? 0.0 : 1.0 - smoothstep(0.2, 0.5, cosine);
   share = max(share, kInnerShare * within);  // sides mirror the inside: light is caught by total reflection
-  mirrored = mix(mirrored, linear_from_srgb(color) * (environment(direction, 0.1) + kCaught * direct_light()), within);
+  vec3 inside = linear_from_srgb(color) * (blurred + kCaught * direct_light());
   if (rough) {  // light trapped in the pane leaves it here, in any direction
     float lit = 1.9 * kCaught * pow(abs(dot(normal, light.xyz)), 1.5);  // from either side; as much in the mean
     vec3 caught = linear_from_srgb(sqrt(color)) * (0.8 * ambient_light(normal) + lit * direct_light());
-    mirrored = mix(environment(direction, 0.1) + lamp_light(direction, 0.1), caught, 0.6);
+    mirrored = mix(mirrored, caught, 0.6);
     share = max(share, kMatShare);
+  } else {
+    mirrored = mix(mirrored, inside, within);
   }
   share *= visible_here;
   depth_sum = vec4(absorption * (gl_FrontFacing ? beyond : -beyond), share);

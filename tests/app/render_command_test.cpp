@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -52,6 +53,16 @@ TEST(RenderCommand, OptionsChangeThePicture) {
     EXPECT_FALSE(rendered("other.png", options) == plain) << options;
   }
   EXPECT_EQ(rendered("other.png", "--frame 4 --legend --camera front"), plain);
+}
+
+TEST(RenderCommand, ExposuresOfAPosterSmoothEdgesWithoutSamplesOfTheirOwn) {
+  const std::string poster = "--frame 4 --quality poster";
+  const render::Image usual = rendered("poster.png", poster), four = rendered("four.png", poster + " --samples 4");
+  EXPECT_EQ(usual, rendered("one.png", poster + " --samples 1"));
+  double squares = 0;
+  for (std::size_t i = 0; i < usual.rgba.size(); ++i) squares += std::pow(usual.rgba[i] - four.rgba[i], 2);
+  const double difference = std::sqrt(squares / static_cast<double>(usual.rgba.size()));
+  EXPECT_LT(difference, 1.5) << "of 255";
 }
 
 TEST(RenderCommand, ADraftHasRoughEdgesUnlessAskedOtherwise) {

@@ -212,6 +212,28 @@ TEST_F(EmbeddedPassTest, AMaterialLooksTheSameWhereverItStandsInTheList) {
   }
 }
 
+/// Without a selection vertices omit what a pass does not draw, with one fragments do.
+TEST_F(EmbeddedPassTest, ASelectionThatIsNotThereChangesNothingBesideGlass) {
+  DrawScene scene;
+  scene.ground = Ground{-0.5f};
+  scene.embedded = embedded();
+  scene.embedded.piece_colors.clear();
+  EmbeddedMesh mesh = *scene.embedded.mesh;
+  for (EmbeddedCorner& corner : mesh.corners) corner.style += EmbeddedStyle{corner.tet}.packed();
+  scene.embedded.mesh = std::make_shared<EmbeddedMesh>(mesh);
+  EmbeddedMaterial glass, stone;
+  glass.clear_depth = 0.5f;
+  for (const auto& materials : {std::vector{glass, stone}, {stone, glass}, {glass, glass}, {stone, stone}}) {
+    scene.embedded.materials = materials;
+    scene.embedded.selected_tet = -1;
+    const Image none = picture(scene, Quality::standard);
+    scene.embedded.selected_tet = 7;
+    EXPECT_EQ(different_pixels(none, picture(scene, Quality::standard)), 0);
+    scene.embedded.selected_tet = 1;
+    EXPECT_GT(different_pixels(none, picture(scene, Quality::standard)), 100);
+  }
+}
+
 /// Gives every corner its face's normal as it was before the tets were deformed: `before` moved the points to where
 /// they are now.
 EmbeddedSurface with_normals(const Eigen::Matrix3f& before) {
