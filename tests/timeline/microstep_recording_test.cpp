@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "sim/core/monitor.h"
@@ -44,14 +45,14 @@ MicrostepRecording recorded(World before, const MicrostepRange& range = {}, std:
 }
 
 TEST(MicrostepRecording, AnObservedRunHasTheSameBits) {
-  for (const Integrator integrator : {Integrator::hybrid, Integrator::explicit_}) {
+  for (const auto& [integrator, interval] : {std::pair(Integrator::hybrid, 1), std::pair(Integrator::explicit_, 12)}) {
     Scene scene = testing::shot_wall(Vec3(2, 2, 0.25), 0.5, testing::brick(0.05));
     scene.simulation.time_step = 1.0 / 60;
     scene.simulation.integrator = integrator;
     World plain(scene), observed = plain;
-    for (int step = 0; step < 12; ++step) {
+    for (int step = 0; step < 9; ++step) {
       plain.step();
-      MicrostepRecording recording({.interval = 3}, kUnlimited);
+      MicrostepRecording recording({.interval = interval}, kUnlimited);
       observed.step(recording.observer());
       ASSERT_EQ(plain.state_hashes(), observed.state_hashes()) << step;
     }
