@@ -145,17 +145,18 @@ void Viewport::frame_all(const ShownWorld& world) {
 }
 
 void Viewport::reveal(const ShownWorld& world, const std::vector<std::string>& bodies) {
+  if (bodies.empty()) return;
   const std::vector<BodyDescription>& described = world.scene.bodies;
   const ShownMesh shown = shown_mesh(world.frame, state_.view, {}, hidden_bodies(state_, world.scene));
   const std::vector<Eigen::AlignedBox3f> boxes = body_bounds(shown, described.size());
-  Eigen::AlignedBox3f all = bulk_bounds(shown);
+  Eigen::AlignedBox3f added;
   bool are_shown = true;
   for (std::size_t i = 0; i < described.size(); ++i) {
     if (boxes[i].isEmpty() || std::ranges::find(bodies, described[i].name) == bodies.end()) continue;
     are_shown &= render::shows(picture_camera(0), boxes[i], aspect(0));
-    all.extend(boxes[i]);
+    added.extend(boxes[i]);
   }
-  if (!are_shown) look_at(all);
+  if (!are_shown) look_at(added.merged(bulk_bounds(shown)));
 }
 
 void Viewport::follow_mouse(bool steps_lag) {
