@@ -1,7 +1,5 @@
 #include "ui/dialogs/dialogs.h"
 
-#include <imgui_internal.h>
-
 #include <array>
 #include <utility>
 
@@ -64,17 +62,11 @@ void waiting_line(Panel& panel) {
   tag_last_item(panel.tags, "work/waiting", text);
 }
 
-/// True while text is typed into a field.
-bool is_typing() {
-  const ImGuiContext& context = *ImGui::GetCurrentContext();
-  return context.ActiveId != 0 && context.ActiveId == context.InputTextState.ID;
-}
-
 /// Shows the progress of work. A dialog takes the keyboard, so none opens while text is typed: the next field, to which
 /// Tab went on, would lose what is typed into it whenever the work that the last one began takes long.
 void work_dialog(Panel& panel) {
   EditorState& state = panel.state;
-  if (is_typing() && !ImGui::IsPopupOpen(kWorkTitle)) return;
+  if (ImGui::GetIO().WantTextInput && !ImGui::IsPopupOpen(kWorkTitle)) return;
   if (!begin_dialog(panel, kWorkTitle, true, 480)) return;
   const std::string text = state.work + " ...";
   ImGui::TextUnformatted(text.c_str());
