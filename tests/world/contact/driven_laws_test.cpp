@@ -18,6 +18,19 @@ Support driven(const Region& region, const Vec3& velocity, double stop) {
   return {.region = region, .kind = SupportKind::prescribed, .velocity = velocity, .stop = stop};
 }
 
+/// Returns the mean force of the supports over the next steps [N].
+Vec3 mean_of_reactions(World& world, int steps) {
+  Vec3 force = Vec3::Zero();
+  for (int step = 0; step < steps; ++step) {
+    world.step();
+    force += testing::sum_of_reactions(world.frame()) / steps;
+  }
+  return force;
+}
+
+/// Returns the number of steps in half a second.
+int steps_of_half_a_second(const ContactCase& at) { return static_cast<int>(std::lround(0.5 / at.time_step)); }
+
 class LiftingLaw : public testing::ContactLaw<ContactCase> {};
 
 // The support carries the weight, ρgV: 104 N for a block of 20 x 10 x 20 cm.
@@ -32,12 +45,7 @@ TEST_P(LiftingLaw, ABlockLiftedInAirStaysWholeAndWeighsWhatItWeighs) {
         driven(HalfSpaceRegion{Vec3(0, size.y() / 2, 0), Vec3::UnitY()}, speed * Vec3::UnitY(), 10)};
     World world(scene);
     testing::run_to(world, 0.5);
-    double force = 0;
-    const int steps = static_cast<int>(std::lround(0.5 / at.time_step));
-    for (int step = 0; step < steps; ++step) {
-      world.step();
-      force += testing::sum_of_reactions(world.frame()).y() / steps;
-    }
+    const double force = mean_of_reactions(world, steps_of_half_a_second(at)).y();
     const std::string name = " at " + testing::short_text(100 * speed) + " cm/s";
     testing::check_near("force [N]" + name, force, 2650 * size.prod() * kEarthGravity);
     testing::check_equal("pieces" + name, static_cast<int>(world.frame().bodies.size()), 1);
@@ -77,11 +85,7 @@ TEST_P(PressLaw, GraniteIsSqueezedOnRubberWithTheForceOfItsStrain) {
   const double sagged = rubber.density * kEarthGravity * pad * pad / (2 * rubber.young_modulus);
   const double pressed = rubber.young_modulus * area * (depth - sagged) / pad;
   const double weight = 2650 * area * at.size / 2 * kEarthGravity;
-  double force = 0;
-  for (int step = 0; step < 10; ++step) {
-    world.step();
-    force -= testing::sum_of_reactions(world.frame()).y() / 10;
-  }
+  const double force = -mean_of_reactions(world, 10).y();
   testing::check_near("force on the pad [N]", force + weight, pressed, 0.05);
   testing::check_at_most("below the ground [m]", testing::depth_below(world.frame()), 1e-4);
   testing::check_equal("cracks", static_cast<int>(world.frame().crack_events.size()), 0);
@@ -111,12 +115,7 @@ TEST_P(PushingLaw, ABlockPushedAlongTheGroundTakesItsFriction) {
   testing::run_to(world, 0.5);
   const EnergyAccount before = world.frame().energy;
   const double from = world.frame().time;
-  double force = 0;
-  const int steps = static_cast<int>(std::lround(0.5 / at.time_step));
-  for (int step = 0; step < steps; ++step) {
-    world.step();
-    force += testing::sum_of_reactions(world.frame()).x() / steps;
-  }
+  const double force = mean_of_reactions(world, steps_of_half_a_second(at)).x();
   const double expected = friction * granite.density * block.prod() * kEarthGravity;
   const double work = expected * speed * (world.frame().time - from);
   testing::check_near("force of the support [N]", force, expected);

@@ -95,7 +95,7 @@ TEST_P(LandingLaw, WhatTakesNoDamageStopsOnTheGround) {
 /// to g dt² in it.
 TEST_P(LandingLaw, WhatTurnsBackAboveTheGroundStopsOnIt) {
   const ContactCase& at = GetParam();
-  const double gained = 9.81 * at.time_step;
+  const double gained = testing::kEarthGravity * at.time_step;
   for (const double rising : {0.0, 0.3, 0.6}) {
     Scene scene = testing::empty_scene(at);
     const double gap = (1 - rising) * 0.4 * gained * at.time_step;
