@@ -140,7 +140,7 @@ std::vector<MicrostepContacts::BoxedSide> MicrostepContacts::sides_near(const Ob
 
 void MicrostepContacts::list_near_obstacle(const ExplicitBodies& bodies, const Obstacle& obstacle,
                                            const BoxedSurface& surface, Candidates& candidates) const {
-  candidates.sides.clear(), candidates.nodes.clear(), candidates.samples.clear();
+  candidates.sides.clear(), candidates.nodes.clear(), candidates.samples.clear(), candidates.edges.clear();
   const std::vector<BoxedSide> sides = sides_near(obstacle, surface);
   if (obstacle.is_sphere()) {
     for (const BoxedSide& near : sides) candidates.sides.push_back({{}, near.side});
@@ -152,6 +152,7 @@ void MicrostepContacts::list_near_obstacle(const ExplicitBodies& bodies, const O
   sort_unique(nodes);
   for (int part = 0; part < static_cast<int>(obstacle.solids.size()); ++part)
     list_near_part(bodies, obstacle, part, sides, nodes, candidates);
+  if (!sides.empty() && !obstacle.is_ground()) list_edges_near(bodies, obstacle, candidates);
 }
 
 /// Lists, from the sides near an obstacle and their nodes, the nodes near one of its parts, and that part's samples
@@ -241,17 +242,20 @@ void MicrostepContacts::list_candidates(const ExplicitBodies& bodies, double dis
     if (obstacle.is_movable() && std::isfinite(obstacle.radius)) margin_ = std::max(margin_, 0.1 * obstacle.radius);
   catch_up();
   const BoxedSurface surface = boxed_surface(bodies);
+  find_edges(bodies);
   parallel_for(static_cast<int>(obstacles_.size()), 8, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) list_near_obstacle(bodies, obstacles_[i], surface, candidates_[i]);
   });
   list_pairs(bodies, surface.sides);
+  list_edge_pairs(bodies);
   list_grounded();
   listed_until_ = travelled_ + margin_;
 }
 
 std::size_t MicrostepContacts::candidate_count() const {
-  std::size_t count = pairs_.size() + cracks_.size();
-  for (const Candidates& near : candidates_) count += near.sides.size() + near.nodes.size() + near.samples.size();
+  std::size_t count = pairs_.size() + edge_pairs_.size() + cracks_.size();
+  for (const Candidates& near : candidates_)
+    count += near.sides.size() + near.nodes.size() + near.samples.size() + near.edges.size();
   return count;
 }
 

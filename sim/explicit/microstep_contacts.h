@@ -7,6 +7,7 @@
 
 #include "sim/explicit/explicit_bodies.h"
 #include "sim/explicit/obstacle.h"
+#include "sim/explicit/sharp_edge.h"
 #include "sim/fracture/cohesion.h"
 #include "sim/geometry/point_grid.h"
 
@@ -94,9 +95,11 @@ class MicrostepContacts {
   struct Touch {
     std::array<int, 3> nodes{};
     std::array<double, 3> weights{1, 0, 0};
-    int count = 3;        ///< number of nodes in use: three for a face, one for a single node, none for the ground
-    int obstacle = -1;    ///< index of the obstacle, or -1
-    int other_node = -1;  ///< node of another body, or -1
+    int count = 3;      ///< number of nodes in use: of a face, an edge or a single node; none for the ground
+    int obstacle = -1;  ///< index of the obstacle, or -1
+    std::array<int, 2> other_nodes{};  ///< without an obstacle: a node or the ends of an edge of another body
+    std::array<double, 2> other_weights{1, 0};
+    int other_count = 0;
     Vec3 place = Vec3::Zero(), normal = Vec3::UnitY();  ///< normal points from the bodies to the other
     double depth = 0;
     double pressure = 0;           ///< normal impulse in this microstep [N·s]
@@ -125,6 +128,18 @@ class MicrostepContacts {
   struct PartAndNode : Watched {
     int part = 0, node = 0;
   };
+  /// Edge of the bodies' surface between two sides, convex in the undeformed bodies.
+  struct SurfaceEdge {
+    std::array<int, 2> nodes{};
+    std::array<std::array<int, 3>, 2> sides{};  ///< nodes of both, counterclockwise seen from outside
+  };
+  struct EdgePair : Watched {
+    int first = 0, second = 0;  ///< edges of the bodies
+  };
+  /// Edge of a convex part near one of the bodies.
+  struct PartAndEdge : Watched {
+    int part = 0, of_part = 0, edge = 0;
+  };
   /// Side with its present bounding box.
   struct BoxedSide {
     Eigen::AlignedBox3d box;
@@ -141,8 +156,9 @@ class MicrostepContacts {
     std::vector<WatchedSide> sides;
     std::vector<PartAndNode> nodes;
     std::vector<SampleAndSide> samples;  ///< samples by part and index
+    std::vector<PartAndEdge> edges;
 
-    bool empty() const { return sides.empty() && nodes.empty() && samples.empty(); }
+    bool empty() const { return sides.empty() && nodes.empty() && samples.empty() && edges.empty(); }
   };
   /// Point of an obstacle near the ground.
   struct GroundedPoint {
@@ -183,6 +199,13 @@ class MicrostepContacts {
                       std::span<const BoxedSide> sides, std::span<const int> nodes, Candidates& candidates) const;
   std::vector<BoxedSide> sides_near_others(const ExplicitBodies& bodies, std::span<const BoxedSide> surface) const;
   void list_pairs(const ExplicitBodies& bodies, std::span<const BoxedSide> surface);
+  void find_edges(const ExplicitBodies& bodies);
+  SharpEdge sharp_edge(const ExplicitBodies& bodies, const SurfaceEdge& edge) const;
+  void list_edges_near(const ExplicitBodies& bodies, const Obstacle& obstacle, Candidates& candidates) const;
+  void list_edge_pairs(const ExplicitBodies& bodies);
+  Touch edge_touch(const SurfaceEdge& edge, const SharpEdge& present, const EdgeContact& contact) const;
+  void touch_edges(const ExplicitBodies& bodies, int obstacle);
+  void touch_edge_pairs(const ExplicitBodies& bodies);
   void find_touches(const ExplicitBodies& bodies);
   std::size_t candidate_count() const;
   void touch_sphere(const ExplicitBodies& bodies, int obstacle);
@@ -228,11 +251,14 @@ class MicrostepContacts {
   void settle_pushed(const ExplicitBodies& bodies, double dt);
 
   std::vector<Side> surface_;
+  std::vector<SurfaceEdge> edges_;  ///< edges of the first `sides_with_edges_` sides
+  std::size_t sides_with_edges_ = 0;
   std::vector<WatchedCrack> cracks_;
   std::vector<Obstacle> obstacles_;
   std::vector<SurfaceLaw> surfaces_;    ///< per explicit body
   std::vector<Candidates> candidates_;  ///< per obstacle
   std::vector<NodeAndSide> pairs_;      ///< nodes near sides of other bodies, by node
+  std::vector<EdgePair> edge_pairs_;    ///< edges near those of other bodies
   std::vector<GroundedPoint> grounded_;
   std::vector<Touch> grounded_touches_;  ///< per point near the ground
   std::vector<Touch> touches_;

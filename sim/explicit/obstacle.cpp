@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
+#include <map>
 
 #include "sim/core/rotation.h"
 
@@ -12,17 +12,21 @@ namespace griffith::explicit_dynamics {
 ConvexSolid convex_solid(const ConvexHull& hull, double spacing) {
   ConvexSolid solid;
   solid.samples = hull.corners;
-  std::set<std::pair<int, int>> edges;
+  std::map<std::pair<int, int>, std::vector<Vec3>> normals;  // by edge
   for (const std::vector<int>& face : hull.faces) {
     if (face.size() < 3) continue;
     const Vec3 &a = hull.corners[face[0]], &b = hull.corners[face[1]], &c = hull.corners[face[2]];
     const Vec3 normal = (b - a).cross(c - a).normalized();
     solid.faces.push_back({normal, normal.dot(a)});
-    for (std::size_t i = 0; i < face.size(); ++i) edges.insert(std::minmax(face[i], face[(i + 1) % face.size()]));
+    for (std::size_t i = 0; i < face.size(); ++i)
+      normals[std::minmax(face[i], face[(i + 1) % face.size()])].push_back(normal);
   }
   if (solid.faces.empty())  // points in a line: nothing is behind them
     solid.faces.push_back({Vec3::UnitY(), -std::numeric_limits<double>::infinity()});
-  for (const auto& [first, second] : edges) {
+  for (const auto& [ends, of_faces] : normals) {
+    const auto& [first, second] = ends;
+    if (of_faces.size() == 2 && are_sharp(of_faces[0], of_faces[1]))
+      solid.edges.push_back({{hull.corners[first], hull.corners[second]}, {of_faces[0], of_faces[1]}});
     const Vec3 along = hull.corners[second] - hull.corners[first];
     const int parts = std::clamp(static_cast<int>(std::ceil(along.norm() / spacing)), 1, 16);
     for (int i = 1; i < parts; ++i) solid.samples.push_back(hull.corners[first] + along * i / parts);

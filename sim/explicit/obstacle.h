@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/contact/contact_world.h"
+#include "sim/explicit/sharp_edge.h"
 #include "sim/geometry/convex_hull.h"
 #include "sim/geometry/half_space.h"
 
@@ -15,6 +16,7 @@ namespace griffith::explicit_dynamics {
 struct ConvexSolid {
   std::vector<HalfSpace> faces;  ///< half-spaces whose intersection it is
   std::vector<Vec3> samples;     ///< corners, and points along the edges
+  std::vector<SharpEdge> edges;
 
   /// Returns the largest distance of a point outside a face, and the normal of that face.
   std::pair<double, Vec3> outermost_face(const Vec3& local) const {

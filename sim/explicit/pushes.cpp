@@ -16,15 +16,17 @@ Vec3 force_on(const ExplicitBodies& bodies, int node) {
 }  // namespace
 
 Vec3 MicrostepContacts::approach_of(const ExplicitBodies& bodies, const Touch& touch) const {
-  Vec3 velocity =
-      touch.obstacle >= 0 ? obstacles_[touch.obstacle].velocity_at(touch.place) : bodies.velocity(touch.other_node);
+  Vec3 velocity = touch.obstacle >= 0 ? obstacles_[touch.obstacle].velocity_at(touch.place) : Vec3(Vec3::Zero());
+  for (int i = 0; i < touch.other_count; ++i)
+    velocity += touch.other_weights[i] * bodies.velocity(touch.other_nodes[i]);
   for (int i = 0; i < touch.count; ++i) velocity -= touch.weights[i] * bodies.velocity(touch.nodes[i]);
   return velocity;
 }
 
 double MicrostepContacts::mobility_of(const ExplicitBodies& bodies, const Touch& touch, const Vec3& direction) const {
-  double sum = touch.obstacle >= 0 ? obstacles_[touch.obstacle].mobility(touch.place, direction)
-                                   : bodies.mobility(touch.other_node, direction);
+  double sum = touch.obstacle >= 0 ? obstacles_[touch.obstacle].mobility(touch.place, direction) : 0;
+  for (int i = 0; i < touch.other_count; ++i)
+    sum += touch.other_weights[i] * touch.other_weights[i] * bodies.mobility(touch.other_nodes[i], direction);
   for (int i = 0; i < touch.count; ++i)
     sum += touch.weights[i] * touch.weights[i] * bodies.mobility(touch.nodes[i], direction);
   return sum;
@@ -33,14 +35,15 @@ double MicrostepContacts::mobility_of(const ExplicitBodies& bodies, const Touch&
 double MicrostepContacts::friction_of(const ExplicitBodies& bodies, const Touch& touch) const {
   const double own = touch.count > 0 ? surface_at(bodies, touch.nodes[0]).friction : ground().friction;
   const double other =
-      touch.obstacle >= 0 ? obstacles_[touch.obstacle].friction : surface_at(bodies, touch.other_node).friction;
+      touch.obstacle >= 0 ? obstacles_[touch.obstacle].friction : surface_at(bodies, touch.other_nodes[0]).friction;
   return std::sqrt(own * other);
 }
 
 void MicrostepContacts::act(ExplicitBodies& bodies, const Touch& touch, const Vec3& impulse) {
   for (int i = 0; i < touch.count; ++i) push_node(bodies, touch.nodes[i], touch.weights[i] * impulse);
-  touch.obstacle >= 0 ? obstacles_[touch.obstacle].push(touch.place, -impulse)
-                      : push_node(bodies, touch.other_node, -impulse);
+  for (int i = 0; i < touch.other_count; ++i)
+    push_node(bodies, touch.other_nodes[i], -touch.other_weights[i] * impulse);
+  if (touch.obstacle >= 0) obstacles_[touch.obstacle].push(touch.place, -impulse);
 }
 
 void MicrostepContacts::take_back(ExplicitBodies& bodies, const Touch& touch, const Vec3& impulse, double time) {
@@ -49,8 +52,8 @@ void MicrostepContacts::take_back(ExplicitBodies& bodies, const Touch& touch, co
     if (size > 0) shift_node(bodies, node, time * bodies.mobility(node, fraction / size) * fraction);
   };
   for (int i = 0; i < touch.count; ++i) shift(touch.nodes[i], touch.weights[i] * impulse);
-  touch.obstacle >= 0 ? obstacles_[touch.obstacle].shift(touch.place, -impulse, time)
-                      : shift(touch.other_node, -impulse);
+  for (int i = 0; i < touch.other_count; ++i) shift(touch.other_nodes[i], -touch.other_weights[i] * impulse);
+  if (touch.obstacle >= 0) obstacles_[touch.obstacle].shift(touch.place, -impulse, time);
 }
 
 /// Returns by how much the friction of a touch changes [N·s]: it stops the sliding as far as the normal impulse allows.

@@ -195,18 +195,18 @@ void MicrostepContacts::drop_clamps(const ExplicitBodies& bodies, std::size_t fi
 /// Touches each node with the side of another body that it lies least deep behind.
 void MicrostepContacts::touch_bodies(const ExplicitBodies& bodies) {
   find_behind(bodies, pairs_, [&](const NodeAndSide& pair) { return bodies.position(pair.node); });
-  for (Found& found : found_) found.touch.other_node = pairs_[found.candidate].node;
+  for (Found& found : found_) found.touch.other_nodes[0] = pairs_[found.candidate].node, found.touch.other_count = 1;
   std::size_t first_touch = touches_.size();  // first touch of one body
   int body = -1;
   for (auto first = found_.begin(); first != found_.end();) {
-    const int node = first->touch.other_node;
+    const int node = first->touch.other_nodes[0];
     if (bodies.body_of_node(node) != body) {
       drop_clamps(bodies, first_touch);
       first_touch = touches_.size();
       body = bodies.body_of_node(node);
     }
     const auto last =
-        std::find_if(first, found_.end(), [&](const Found& found) { return found.touch.other_node != node; });
+        std::find_if(first, found_.end(), [&](const Found& found) { return found.touch.other_nodes[0] != node; });
     touch_nearest(bodies, {first, last});
     first = last;
   }
@@ -218,6 +218,8 @@ void MicrostepContacts::find_touches(const ExplicitBodies& bodies) {
   for (int i = 0; i < static_cast<int>(obstacles_.size()); ++i)
     obstacles_[i].is_sphere() ? touch_sphere(bodies, i) : touch_convex(bodies, i);
   touch_bodies(bodies);
+  for (int i = 0; i < static_cast<int>(obstacles_.size()); ++i) touch_edges(bodies, i);
+  touch_edge_pairs(bodies);
   order_.resize(touches_.size());
   std::iota(order_.begin(), order_.end(), 0);
   std::ranges::stable_sort(order_, std::ranges::greater(), [&](int index) { return touches_[index].depth; });

@@ -218,11 +218,73 @@ TEST(MicrostepContacts, BallsAmongManyTetsStrikeAsThoseAlone) {
   EXPECT_LT(pushed, 64);
 }
 
+/// Tets with an edge along x below, and one along y above it by `gap` [m]. They come together at 2 m/s.
+struct CrossingEdges {
+  Corners4 lower = {Vec3(-1, 0, 0), Vec3(0.9, 0, 0), Vec3(0, -1, -1), Vec3(0, 1, -1)}, upper;
+
+  explicit CrossingEdges(double gap) {
+    upper = {Vec3(0.1, -1, gap), Vec3(0.1, 1, gap), Vec3(-1, 0, gap + 1), Vec3(1, 0, gap + 1)};
+  }
+  static Vec3 center_of(const Corners4& corners) { return (corners[0] + corners[1] + corners[2] + corners[3]) / 4; }
+};
+
+TEST(MicrostepContacts, EdgesOfBodiesDoNotPassEachOther) {
+  const CrossingEdges crossing(1e-3);
+  Tets tets;
+  tets.add(crossing.lower, Vec3(0, 0, 1)), tets.add(crossing.upper, Vec3(0, 0, -1));
+  const double dt = tets.begin_stable(), energy = tets.kinetic_energy();
+  const Vec3 momentum = tets.momentum();
+  MicrostepContacts impacts(tets.bodies, tets.surface, {}, {}, tets.laws, 1);
+  std::vector<int> flagged;
+  double least = 1;
+  for (double time = 0; time < 5e-3; time += dt) {
+    tets.bodies.compute_forces();
+    tets.bodies.advance(1, flagged);
+    impacts.resolve(tets.bodies, dt, 0);
+    const auto height = [&](int first) {
+      return 0.5 * (tets.bodies.position(first).z() + tets.bodies.position(first + 1).z());
+    };
+    least = std::min(least, height(4) - height(0));
+  }
+  EXPECT_GT(least, -2 * dt) << "the way of a microstep [m]";
+  EXPECT_LT((tets.momentum() - momentum).norm(), 1e-4 * std::abs(momentum.z()) + 1e-4);
+  EXPECT_GT(tets.bodies.velocity(6).z(), tets.bodies.velocity(2).z()) << "they part";
+  EXPECT_LT(tets.kinetic_energy(), (1 + 1e-3) * energy);
+}
+
+TEST(MicrostepContacts, EdgesOfObstaclesDoNotPassThoseOfBodies) {
+  const CrossingEdges crossing(1e-3);
+  Tets tets;
+  tets.add(crossing.lower, Vec3::Zero());
+  const double dt = tets.begin_stable();
+  Obstacle obstacle;
+  const Vec3 center = CrossingEdges::center_of(crossing.upper);
+  std::vector<Vec3> corners;
+  for (const Vec3& corner : crossing.upper) corners.push_back(corner - center);
+  obstacle.solids = {convex_solid(convex_hull(corners), 1)};
+  obstacle.radius = 2;
+  obstacle.inverse_mass = 1e-3;
+  obstacle.inverse_inertia = 1e-3 * Mat3::Identity();
+  obstacle.state.pose.translation = center;
+  obstacle.state.velocity = Vec3(0, 0, -2);
+  MicrostepContacts impacts(tets.bodies, tets.surface, {}, {obstacle}, tets.laws, 1);
+  std::vector<int> flagged;
+  for (double time = 0; time < 5e-3; time += dt) {
+    tets.bodies.compute_forces();
+    tets.bodies.advance(1, flagged);
+    impacts.resolve(tets.bodies, dt, 0);
+  }
+  const double bottom = impacts.obstacles()[0].state.pose.translation.z() - center.z() + 1e-3,
+               top = 0.5 * (tets.bodies.position(0).z() + tets.bodies.position(1).z());
+  EXPECT_GT(bottom - top, -1e-3);
+  EXPECT_GT(impacts.obstacles()[0].state.velocity.z(), -2) << "it was slowed";
+}
+
 /// A slab of 2 x 2 x 0.2 m that lies on the plane z = 0, of this mass [kg].
 std::vector<Obstacle> slab_on_ground(double mass) {
   Obstacle ground, slab;
   ground.radius = std::numeric_limits<double>::infinity();
-  ground.solids = {{{{Vec3::UnitZ(), 0}}, {}}};
+  ground.solids = {{{{Vec3::UnitZ(), 0}}, {}, {}}};
   std::vector<Vec3> corners;
   for (int i = 0; i < 8; ++i) corners.emplace_back(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 0.1 : -0.1);
   slab.solids = {convex_solid(convex_hull(corners), 0.5)};

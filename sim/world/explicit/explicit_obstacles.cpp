@@ -133,7 +133,7 @@ void add_ground(const WorldState& world, std::vector<explicit_dynamics::Obstacle
   if (!world.model->scene.ground) return;
   explicit_dynamics::Obstacle ground;
   ground.radius = std::numeric_limits<double>::infinity();
-  ground.solids = {{{{Vec3::UnitY(), world.model->scene.ground->height}}, {}}};
+  ground.solids = {{{{Vec3::UnitY(), world.model->scene.ground->height}}, {}, {}}};
   ground.friction = world.model->scene.ground->friction;
   obstacles.push_back(ground);
 }
