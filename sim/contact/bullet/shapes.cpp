@@ -9,6 +9,8 @@ namespace {
 
 /// The margin's share of volume/area, which lies between a third of a hull's inner radius and all of it.
 constexpr double kMarginFraction = 0.1;
+/// Margin of a sharp hull, as a fraction of that of the rounded one.
+constexpr double kSharpFraction = 0.01;
 /// The margin of a hull without volume, as a share of its extent.
 constexpr double kFlatMarginFraction = 1e-3;
 
@@ -18,15 +20,21 @@ double largest_distance(const std::vector<Vec3>& points, const Vec3& from) {
   return largest;
 }
 
+void add_points(btConvexHullShape& shape, const std::vector<Vec3>& corners, double margin) {
+  shape.setMargin(margin);
+  for (const Vec3& corner : corners) shape.addPoint(to_bullet(corner), false);
+  shape.recalcLocalAabb();
+}
+
 }  // namespace
 
 HullShape::HullShape(const ConvexHull& hull) : hull_(hull) {
   const double size = largest_distance(hull.corners, hull.corners.front());
   const bool solid = hull.volume > 1e-9 * size * size * size;
   const double margin = solid ? kMarginFraction * hull.volume / hull.area : kFlatMarginFraction * size;
-  setMargin(margin);
-  for (const Vec3& corner : solid ? shrunken_corners(hull, margin) : hull.corners) addPoint(to_bullet(corner), false);
-  recalcLocalAabb();
+  add_points(*this, solid ? shrunken_corners(hull, margin) : hull.corners, margin);
+  setCachedLocalAabb(to_bullet(hull_.box_center - hull_.box_half), to_bullet(hull_.box_center + hull_.box_half));
+  add_points(sharp_, solid ? shrunken_corners(hull, kSharpFraction * margin) : hull.corners, kSharpFraction * margin);
 }
 
 Shape sphere_shape(double radius) {

@@ -23,16 +23,19 @@ inline btTransform to_bullet(const Pose& pose) {
 /// Gap at which a contact begins, as a fraction of the smaller object's radius.
 inline constexpr double kContactReach = 0.02;
 
-/// A convex hull for distances, whose rounded surface is the true surface: the corners are moved inward by the margin
-/// that the distance algorithm adds again. It finds overlaps up to twice the margin quickly and smoothly.
+/// A convex hull with rounded corners and edges for the direction between two shapes: the corners are moved inward by
+/// the margin that the distance algorithm adds again. It finds overlaps up to twice the margin quickly and smoothly.
 class HullShape final : public btConvexHullShape {
  public:
   explicit HullShape(const ConvexHull& hull);
   /// Returns the exact polyhedron, for contacts.
   const Hull& hull() const { return hull_; }
+  /// Returns the same hull with a hundredth of its margin, for distances between corners and edges.
+  const btConvexHullShape& sharp() const { return sharp_; }
 
  private:
   Hull hull_;
+  btConvexHullShape sharp_;
 };
 
 /// Shape of an object: convex parts, none for the ground. It is constant, so copies share it.

@@ -14,12 +14,27 @@ namespace {
 
 /// Shapes with a thinner margin are small: less than some centimeters [m].
 constexpr double kSmallMargin = 2e-3;
+/// Difference of the distances of rounded and true hulls that is a rounding error, in margins.
+constexpr double kExact = 1e-3;
+
+bool is_sphere(const PlacedShape& shape) { return shape.convex->getShapeType() == SPHERE_SHAPE_PROXYTYPE; }
+
+/// Returns the least of n · x over the points x of a convex shape, n a unit vector: of a hull as it is, not rounded.
+double lowest(const PlacedShape& shape, const Vec3& normal) {
+  const double margin = shape.convex->getMargin(), center = normal.dot(from_bullet(shape.transform.getOrigin()));
+  if (is_sphere(shape)) return center - margin;
+  const Hull& hull = static_cast<const HullShape*>(shape.convex)->hull();
+  return center + hull.lowest(from_bullet(to_bullet(normal) * shape.transform.getBasis())) -
+         (hull.is_solid() ? 0 : margin);
+}
+
+double highest(const PlacedShape& shape, const Vec3& normal) { return -lowest(shape, -normal); }
 
 Separation separation_from_ground(const PlacedShape& shape, double height) {
   const btVector3 down(0, -1, 0);
   const btVector3 local = shape.convex->localGetSupportingVertex(down * shape.transform.getBasis());
-  const Vec3 lowest = from_bullet(shape.transform * local);
-  return {lowest.y() - height, Vec3::UnitY(), Vec3(lowest.x(), height, lowest.z())};
+  const Vec3 foot = from_bullet(shape.transform * local);
+  return {lowest(shape, Vec3::UnitY()) - height, Vec3::UnitY(), Vec3(foot.x(), height, foot.z())};
 }
 
 Separation separation(const btConvexShape& a, const btTransform& a_place, const btConvexShape& b,
@@ -36,8 +51,12 @@ Separation separation(const btConvexShape& a, const btTransform& a_place, const 
   return {closest.m_distance, from_bullet(closest.m_normalOnBInWorld), from_bullet(closest.m_pointInWorld)};
 }
 
-/// Bullet's tolerances are lengths, areas and volumes: small shapes are enlarged for it.
-Separation scaled_separation(const PlacedShape& a, const PlacedShape& b, double scale) {
+/// Returns the separation of rounded shapes. Bullet's tolerances are lengths, areas and volumes: small shapes are
+/// enlarged for it.
+Separation rounded_separation(const PlacedShape& a, const PlacedShape& b) {
+  const double thinner = std::min(a.convex->getMargin(), b.convex->getMargin());
+  if (thinner >= kSmallMargin) return separation(*a.convex, a.transform, *b.convex, b.transform);
+  const double scale = std::exp2(std::ceil(std::log2(kSmallMargin / thinner)));
   btUniformScalingShape large_a(const_cast<btConvexShape*>(a.convex), scale);
   btUniformScalingShape large_b(const_cast<btConvexShape*>(b.convex), scale);
   const btVector3 origin = b.transform.getOrigin();
@@ -49,11 +68,19 @@ Separation scaled_separation(const PlacedShape& a, const PlacedShape& b, double 
   return apart;
 }
 
-}  // namespace
+/// Returns the separation of two shapes as they are along the normal of their rounded ones, at most their distance.
+Separation unrounded(const PlacedShape& a, const PlacedShape& b, Separation apart) {
+  if (!std::isfinite(apart.distance) || apart.normal.isZero()) return apart;
+  const double surface_of_b = highest(b, apart.normal);
+  apart.distance = lowest(a, apart.normal) - surface_of_b;
+  apart.point_on_b += (surface_of_b - apart.normal.dot(apart.point_on_b)) * apart.normal;
+  return apart;
+}
 
-namespace {
-
-bool is_sphere(const PlacedShape& shape) { return shape.convex->getShapeType() == SPHERE_SHAPE_PROXYTYPE; }
+PlacedShape sharpened(PlacedShape shape) {
+  if (!is_sphere(shape)) shape.convex = &static_cast<const HullShape*>(shape.convex)->sharp();
+  return shape;
+}
 
 /// Returns the separation of two spheres, whose margins are their radii.
 Separation separation_of_spheres(const PlacedShape& a, const PlacedShape& b) {
@@ -68,9 +95,11 @@ Separation separation_of_spheres(const PlacedShape& a, const PlacedShape& b) {
 Separation separation(const PlacedShape& a, const PlacedShape& b) {
   if (!b.convex) return separation_from_ground(a, b.ground_height);
   if (is_sphere(a) && is_sphere(b)) return separation_of_spheres(a, b);
-  const double thinner = std::min(a.convex->getMargin(), b.convex->getMargin());
-  return thinner < kSmallMargin ? scaled_separation(a, b, std::exp2(std::ceil(std::log2(kSmallMargin / thinner))))
-                                : separation(*a.convex, a.transform, *b.convex, b.transform);
+  const Separation rounded = rounded_separation(a, b), apart = unrounded(a, b, rounded);
+  const double margin = std::min(a.convex->getMargin(), b.convex->getMargin());
+  if (rounded.distance - apart.distance < kExact * margin) return apart;  // of faces
+  const Separation sharp = unrounded(a, b, rounded_separation(sharpened(a), sharpened(b)));
+  return std::isfinite(sharp.distance) && sharp.distance > apart.distance ? sharp : apart;
 }
 
 bool comes_nearer(const Vec3& displacement, const Vec3& normal) {
