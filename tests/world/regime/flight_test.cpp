@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "sim/core/parallel.h"
 #include "sim/world/world.h"
 #include "tests/world/scenes.h"
@@ -52,6 +54,30 @@ TEST(Flight, WhatFallsWithoutSpinDoesNotTurn) {
     for (std::size_t node = 0; node < start.size(); ++node)
       EXPECT_LT((frame.nodes.positions[node] - start[node] - displacement).norm(), 1e-9);
   }
+}
+
+/// Blocks of 10 cm, far from each other, that spin this fast [rad/s].
+Scene spinning_blocks(int count, double spin) {
+  Scene scene = floating(Vec3::Constant(0.1), Vec3::Constant(0.1));
+  scene.bodies[0].angular_velocity = Vec3(0, 0, spin);
+  while (static_cast<int>(scene.bodies.size()) < count) {
+    scene.bodies.push_back(scene.bodies[0]);
+    scene.bodies.back().name += std::to_string(scene.bodies.size());
+    scene.bodies.back().position.x() = static_cast<double>(scene.bodies.size());
+  }
+  return scene;
+}
+
+TEST(Flight, ManyBodiesTurnByTwoRadiansInASubstepAndFewAsFarAsTheyDo) {
+  const auto substeps = [](int count, double spin) {
+    World world(spinning_blocks(count, spin));
+    world.step();
+    return world.frame().report.substeps;
+  };
+  const double step = Scene().simulation.time_step;
+  EXPECT_EQ(substeps(20, 1.9 / step), 1);
+  EXPECT_EQ(substeps(20, 9.9 / step), 5);
+  EXPECT_EQ(substeps(8, 9.9 / step), 1);
 }
 
 TEST(Flight, DebrisOfCentimetersKeepsItsEnergyAndAngularMomentum) {
