@@ -10,8 +10,8 @@ namespace {
 /// Fraction of an edge at each end that belongs to its corner.
 constexpr double kCorner = 0.02;
 
-/// Squared sine of the angle between edges that count as parallel.
-constexpr double kParallel = 1e-4;
+/// Sine of the angle between edges that count as parallel.
+constexpr double kParallel = 0.01;
 
 /// Returns the place on the segment from `start` along `way` nearest to a point, 0..1.
 double nearest_along(const Vec3& start, const Vec3& way, const Vec3& point) {
@@ -27,15 +27,19 @@ double distance_between(const SharpEdge& first, const SharpEdge& second, std::ar
   return (first.ends[0] + along[0] * way_of_first - second.ends[0] - along[1] * way_of_second).norm();
 }
 
-/// True if a normal of an edge lies between those of its faces, and not next to one of them, which touches then.
-bool is_between_faces(const SharpEdge& edge, const Vec3& normal) {
+/// Returns by how much a normal of an edge misses the directions between those of its faces [sine]; at most 0 if it
+/// lies between them, and not next to one of them, which touches then.
+double miss_of_faces(const SharpEdge& edge, const Vec3& normal) {
   constexpr double kBeside = 0.02;  // sine
   const Vec3 along = (edge.ends[1] - edge.ends[0]).normalized();
   const double from_first = along.dot(edge.normals[0].cross(normal)),
                to_second = along.dot(normal.cross(edge.normals[1])),
                whole = along.dot(edge.normals[0].cross(edge.normals[1]));
-  return whole > 0 ? std::min(from_first, to_second) > kBeside : std::max(from_first, to_second) < -kBeside;
+  return kBeside - (whole > 0 ? std::min(from_first, to_second) : -std::max(from_first, to_second));
 }
+
+/// Returns the fraction by which a place on an edge lies beyond its ends, or in one of its corners.
+double beyond_ends(double along) { return std::max({0.0, kCorner - along, along - (1 - kCorner)}); }
 
 }  // namespace
 
@@ -45,23 +49,27 @@ bool are_sharp(const Vec3& first, const Vec3& second) {
 }
 
 EdgeTest test_edges(const SharpEdge& first, const SharpEdge& second, double deepest) {
+  constexpr double kTurning = 0.25;  // of a way at its end, by which an edge turns
   const Vec3 way_of_first = first.ends[1] - first.ends[0], way_of_second = second.ends[1] - second.ends[0],
              apart = second.ends[0] - first.ends[0], across = way_of_first.cross(way_of_second);
-  const double square = across.squaredNorm();
-  const auto none = [&](const std::array<double, 2>& along) {
-    return EdgeTest{std::nullopt, std::max(0.0, distance_between(first, second, along) - deepest)};
+  const std::array<double, 2> lengths = {way_of_first.norm(), way_of_second.norm()};
+  const double shorter = std::min(lengths[0], lengths[1]), square = across.squaredNorm(),
+               sine = std::sqrt(square) / (lengths[0] * lengths[1]);
+  const auto apart_at = [&](const std::array<double, 2>& along) {
+    return std::max(0.0, distance_between(first, second, along) - deepest);
   };
-  if (square < kParallel * way_of_first.squaredNorm() * way_of_second.squaredNorm()) return none({0.5, 0.5});
+  if (sine < kParallel) return {std::nullopt, std::max(kTurning * (kParallel - sine) * shorter, apart_at({0.5, 0.5}))};
   const std::array<double, 2> along = {apart.cross(way_of_second).dot(across) / square,
                                        apart.cross(way_of_first).dot(across) / square};
-  const auto is_inside = [](double fraction) { return fraction > kCorner && fraction < 1 - kCorner; };
-  if (!is_inside(along[0]) || !is_inside(along[1])) return none(along);
+  const double beyond = std::max(beyond_ends(along[0]) * lengths[0], beyond_ends(along[1]) * lengths[1]);
+  if (beyond > 0) return {std::nullopt, std::max(kTurning * sine * beyond, apart_at(along))};
   Vec3 normal = across / std::sqrt(square);
   if (normal.dot(first.normals[0] + first.normals[1]) < 0) normal = -normal;
   const double depth = -normal.dot(apart);
   if (depth < 0) return {std::nullopt, -depth};
-  if (depth > deepest || !is_between_faces(first, normal) || !is_between_faces(second, -normal)) return none(along);
-  return {EdgeContact{along, normal, depth}};
+  const double miss = std::max(miss_of_faces(first, normal), miss_of_faces(second, -normal));
+  if (depth <= deepest && miss < 0) return {EdgeContact{along, normal, depth}};
+  return {std::nullopt, std::max(depth - deepest, kTurning * sine * miss * shorter)};
 }
 
 }  // namespace griffith::explicit_dynamics
