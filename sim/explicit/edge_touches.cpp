@@ -28,9 +28,19 @@ Vec3 normal_of(const std::array<int, 3>& nodes, Place place) {
 
 }  // namespace
 
-/// Finds the sharp convex edges of the surface if it has grown.
+/// True if bodies may touch each other.
+bool MicrostepContacts::has_families() const {
+  return std::ranges::any_of(surfaces_, [&](const SurfaceLaw& law) { return law.family != surfaces_[0].family; });
+}
+
+/// Finds the sharp convex edges of the surface if it has grown. Alone on the ground or under a sphere they touch no
+/// other.
 void MicrostepContacts::find_edges(const ExplicitBodies& bodies) {
-  if (std::exchange(sides_with_edges_, surface_.size()) == surface_.size()) return;
+  const auto has_edges = [](const ConvexSolid& solid) { return !solid.edges.empty(); };
+  const bool any = has_families() || std::ranges::any_of(obstacles_, [&](const Obstacle& obstacle) {
+                     return std::ranges::any_of(obstacle.solids, has_edges);
+                   });
+  if (!any || std::exchange(sides_with_edges_, surface_.size()) == surface_.size()) return;
   edges_.clear();
   std::map<std::pair<int, int>, std::vector<std::array<int, 3>>> sides;
   for (const Side& side : surface_) {
@@ -55,45 +65,49 @@ SharpEdge MicrostepContacts::sharp_edge(const ExplicitBodies& bodies, const Surf
           {normal_of(edge.sides[0], position), normal_of(edge.sides[1], position)}};
 }
 
-/// Lists the edges of the bodies near those of an obstacle.
-void MicrostepContacts::list_edges_near(const ExplicitBodies& bodies, const Obstacle& obstacle,
+/// Returns the boxes of the edges where they are now.
+std::vector<Eigen::AlignedBox3d> MicrostepContacts::edge_boxes(const ExplicitBodies& bodies) const {
+  std::vector<Eigen::AlignedBox3d> boxes;
+  boxes.reserve(edges_.size());
+  for (const SurfaceEdge& edge : edges_)
+    boxes.push_back(box_of(bodies.position(edge.nodes[0]), bodies.position(edge.nodes[1])));
+  return boxes;
+}
+
+/// Lists the edges of the bodies, in these `boxes`, near those of an obstacle.
+void MicrostepContacts::list_edges_near(const Obstacle& obstacle, std::span<const Eigen::AlignedBox3d> boxes,
                                         Candidates& candidates) const {
   const Pose& pose = obstacle.state.pose;
   const double reach = obstacle.radius + margin_;
-  for (int edge = 0; edge < static_cast<int>(edges_.size()); ++edge) {
-    const auto& [from, to] = edges_[edge].nodes;
-    const Eigen::AlignedBox3d box = box_of(bodies.position(from), bodies.position(to));
-    if (box.squaredExteriorDistance(pose.translation) > reach * reach) continue;
+  for (int edge = 0; edge < static_cast<int>(boxes.size()); ++edge) {
+    if (boxes[edge].squaredExteriorDistance(pose.translation) > reach * reach) continue;
     for (int part = 0; part < static_cast<int>(obstacle.solids.size()); ++part) {
       const std::vector<SharpEdge>& of_part = obstacle.solids[part].edges;
       for (int other = 0; other < static_cast<int>(of_part.size()); ++other) {
         const auto& [first, second] = of_part[other].ends;
-        if (box_of(pose.to_world(first), pose.to_world(second)).squaredExteriorDistance(box) < margin_ * margin_)
+        if (box_of(pose.to_world(first), pose.to_world(second)).squaredExteriorDistance(boxes[edge]) <
+            margin_ * margin_)
           candidates.edges.push_back({{}, part, other, edge});
       }
     }
   }
 }
 
-/// Lists pairs of near edges of different families.
-void MicrostepContacts::list_edge_pairs(const ExplicitBodies& bodies) {
+/// Lists pairs of near edges of different families, in these `boxes`.
+void MicrostepContacts::list_edge_pairs(const ExplicitBodies& bodies, std::span<const Eigen::AlignedBox3d> boxes) {
   edge_pairs_.clear();
-  const auto family = [&](int edge) { return surface_at(bodies, edges_[edge].nodes[0]).family; };
-  if (std::ranges::all_of(surfaces_, [&](const SurfaceLaw& law) { return law.family == surfaces_[0].family; })) return;
-  std::vector<Eigen::AlignedBox3d> boxes;
+  if (!has_families()) return;
   std::vector<Vec3> centers;
   std::vector<int> families;
   Vec3 largest = Vec3::Zero();
-  for (int edge = 0; edge < static_cast<int>(edges_.size()); ++edge) {
-    const auto& [from, to] = edges_[edge].nodes;
-    boxes.push_back(box_of(bodies.position(from), bodies.position(to)));
-    centers.push_back(boxes.back().center());
-    families.push_back(family(edge));
-    largest = largest.cwiseMax(0.5 * boxes.back().sizes());
+  for (int edge = 0; edge < static_cast<int>(boxes.size()); ++edge) {
+    centers.push_back(boxes[edge].center());
+    families.push_back(surface_at(bodies, edges_[edge].nodes[0]).family);
+    largest = largest.cwiseMax(0.5 * boxes[edge].sizes());
   }
   const PointGrid grid(centers, element_size_);
   const Vec3 reach = largest + Vec3::Constant(margin_);
-  for (int edge = 0; edge < static_cast<int>(edges_.size()); ++edge)
+  for (int edge = 0; edge < static_cast<int>(boxes.size()); ++edge)
     grid.visit({boxes[edge].min() - reach, boxes[edge].max() + reach}, [&](int other) {
       if (other < edge && families[other] != families[edge] &&
           boxes[edge].squaredExteriorDistance(boxes[other]) < margin_ * margin_)

@@ -115,7 +115,7 @@ MicrostepContacts::BoxedSurface MicrostepContacts::boxed_surface(const ExplicitB
     centers.push_back(box.center());
     largest = largest.cwiseMax(0.5 * box.sizes());
   }
-  return {std::move(sides), PointGrid(centers, grid_edge(centers.size(), element_size_)), largest};
+  return {std::move(sides), PointGrid(centers, grid_edge(centers.size(), element_size_)), largest, edge_boxes(bodies)};
 }
 
 /// Returns the sides that may be near an obstacle, in the order of the surface.
@@ -152,7 +152,7 @@ void MicrostepContacts::list_near_obstacle(const ExplicitBodies& bodies, const O
   sort_unique(nodes);
   for (int part = 0; part < static_cast<int>(obstacle.solids.size()); ++part)
     list_near_part(bodies, obstacle, part, sides, nodes, candidates);
-  if (!sides.empty() && !obstacle.is_ground()) list_edges_near(bodies, obstacle, candidates);
+  if (!sides.empty() && !obstacle.is_ground()) list_edges_near(obstacle, surface.edges, candidates);
 }
 
 /// Lists, from the sides near an obstacle and their nodes, the nodes near one of its parts, and that part's samples
@@ -241,13 +241,13 @@ void MicrostepContacts::list_candidates(const ExplicitBodies& bodies, double dis
   for (const Obstacle& obstacle : obstacles_)
     if (obstacle.is_movable() && std::isfinite(obstacle.radius)) margin_ = std::max(margin_, 0.1 * obstacle.radius);
   catch_up();
-  const BoxedSurface surface = boxed_surface(bodies);
   find_edges(bodies);
+  const BoxedSurface surface = boxed_surface(bodies);
   parallel_for(static_cast<int>(obstacles_.size()), 8, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) list_near_obstacle(bodies, obstacles_[i], surface, candidates_[i]);
   });
   list_pairs(bodies, surface.sides);
-  list_edge_pairs(bodies);
+  list_edge_pairs(bodies, surface.edges);
   list_grounded();
   listed_until_ = travelled_ + margin_;
 }

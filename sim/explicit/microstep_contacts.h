@@ -148,8 +148,9 @@ class MicrostepContacts {
   /// Surface with a grid of the boxes' centers.
   struct BoxedSurface {
     std::vector<BoxedSide> sides;
-    PointGrid grid;  ///< grid of `sides`
-    Vec3 largest;    ///< half of the largest box size along each axis [m]
+    PointGrid grid;                          ///< grid of `sides`
+    Vec3 largest;                            ///< half of the largest box size along each axis [m]
+    std::vector<Eigen::AlignedBox3d> edges;  ///< boxes of the sharp edges
   };
   /// Candidates of contact with an obstacle: sides for a sphere, nodes and samples for any other.
   struct Candidates {
@@ -201,8 +202,11 @@ class MicrostepContacts {
   void list_pairs(const ExplicitBodies& bodies, std::span<const BoxedSide> surface);
   void find_edges(const ExplicitBodies& bodies);
   SharpEdge sharp_edge(const ExplicitBodies& bodies, const SurfaceEdge& edge) const;
-  void list_edges_near(const ExplicitBodies& bodies, const Obstacle& obstacle, Candidates& candidates) const;
-  void list_edge_pairs(const ExplicitBodies& bodies);
+  bool has_families() const;
+  std::vector<Eigen::AlignedBox3d> edge_boxes(const ExplicitBodies& bodies) const;
+  void list_edges_near(const Obstacle& obstacle, std::span<const Eigen::AlignedBox3d> boxes,
+                       Candidates& candidates) const;
+  void list_edge_pairs(const ExplicitBodies& bodies, std::span<const Eigen::AlignedBox3d> boxes);
   Touch edge_touch(const SurfaceEdge& edge, const SharpEdge& present, const EdgeContact& contact) const;
   void touch_edges(const ExplicitBodies& bodies, int obstacle);
   void touch_edge_pairs(const ExplicitBodies& bodies);
@@ -251,7 +255,7 @@ class MicrostepContacts {
   void settle_pushed(const ExplicitBodies& bodies, double dt);
 
   std::vector<Side> surface_;
-  std::vector<SurfaceEdge> edges_;  ///< edges of the first `sides_with_edges_` sides
+  std::vector<SurfaceEdge> edges_;  ///< edges of the first `sides_with_edges_` sides; none if no others meet them
   std::size_t sides_with_edges_ = 0;
   std::vector<WatchedCrack> cracks_;
   std::vector<Obstacle> obstacles_;
