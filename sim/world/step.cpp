@@ -179,17 +179,17 @@ bool move_within_strains(WorldState& world, double substep, StrainLimit& limit, 
 }
 
 /// Returns the longest substep in which no more than a few bodies turn far [s]. Contacts among fragments that turn
-/// several times in a substep would be found one after the other, and everything solved again each time.
-double turning_limit(const WorldState& world) {
+/// several times in a substep would be found one after the other, and everything solved again each time. `shortest`:
+/// lower limit of it [s].
+double turning_limit(const WorldState& world, double shortest) {
   constexpr double kFar = 2;       // [rad]
   constexpr std::size_t kFew = 8;  // chips that spin fast do not shorten the substeps of all others
-  constexpr double kMostSubsteps = 64;
   std::vector<double> spins;
   for (const Body& body : world.bodies)
     if (!body.asleep && !body.supported()) spins.push_back(body.motion.angular_velocity.norm());
   if (spins.size() <= kFew) return std::numeric_limits<double>::infinity();
   std::ranges::nth_element(spins, spins.begin() + kFew, std::ranges::greater());
-  return std::max(kFar / spins[kFew], world.model->scene.simulation.time_step / kMostSubsteps);
+  return std::max(kFar / spins[kFew], shortest);
 }
 
 /// Makes substeps: up to the next impact, and while waves run in bodies that were hit or crack. Bodies in explicit
@@ -203,8 +203,8 @@ void step_in_substeps(WorldState& world, double time_step) {
   StrainLimit strains = strain_limit(world, time_step);
   StepImpacts impacts;
   for (double left = time_step; left > kRounding * time_step; ++world.report.substeps) {
-    const double start = world.time,
-                 substep = std::min({strains.longest, turning_limit(world), next_substep(world, left, impacts)});
+    const double start = world.time, substep = std::min({strains.longest, turning_limit(world, strains.shortest),
+                                                         next_substep(world, left, impacts)});
     timed(ms.explicit_dynamics, [&] { impacts.follow_alone(world, substep); });
     if (!move_within_strains(world, substep, strains, impacts)) continue;
     strains.longest *= kGrowth;
