@@ -21,7 +21,7 @@ struct Separation {
   Vec3 point_on_b;  ///< [m]
 };
 
-/// Returns the shortest distance between two shapes, `a` a convex one.
+/// Returns the shortest distance between two shapes, `a` a convex one; between corners at most that.
 Separation separation(const PlacedShape& a, const PlacedShape& b);
 
 struct Touch {
