@@ -12,8 +12,9 @@ struct NodeSeparation {
   double eigenvalue = 0;           ///< its largest eigenvalue v⁺ [N]
   Vec3 direction = Vec3::UnitX();  ///< n̂, its unit eigenvector: normal of the candidate crack plane
   /// Separation stress s, or the equivalent tension of materials with a strength surface [Pa] (strength criterion),
-  /// averaged over the last substeps.
+  /// mean of the start and the end of an implicit substep.
   double stress = 0;
+  double end_stress = 0;        ///< the same at the end of the last substep [Pa]
   double mean_tension = 0;      ///< that load, averaged over the part that a crack needs [Pa]
   double averaging_radius = 0;  ///< radius of that part [m]; 0: single elements are larger, and it is s
   /// [Pa] or, with the force criterion, [N]. At a crack front where energy decides: the stress at which G is G_c. Where

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -25,6 +26,7 @@
 #include "sim/world/motion/explicit_integration.h"
 #include "sim/world/motion/motion_phase.h"
 #include "sim/world/output/publish.h"
+#include "sim/world/overload.h"
 #include "sim/world/regime/part_at_bonds.h"
 #include "sim/world/regime/rest_phase.h"
 #include "sim/world/state/world_state.h"
@@ -159,12 +161,14 @@ bool move_within_ceiling(WorldState& world, double substep, StepImpacts& impacts
   return false;
 }
 
+/// Most substeps of a step that are undone.
+constexpr int kMaxUndone = 12;
+
 /// Moves everything on by `substep` [s]. Where the nonlinear step of a soft body does not converge, or one turns so far
 /// that it comes to lie below the ground, restores the state before and halves the limit, but not more than some times
 /// in a step.
-bool move_within_strains(WorldState& world, double substep, StrainLimit& limit, StepImpacts& impacts) {
+bool move_within_strains(WorldState& world, double substep, SubstepLimit& limit, StepImpacts& impacts) {
   constexpr double kDeep = 1e-3;  // in sizes of elements
-  constexpr int kMaxUndone = 12;
   if (substep < 2 * limit.shortest || limit.undone == kMaxUndone || !may_strain_far(world))
     return move_within_ceiling(world, substep, impacts);
   const WorldState before = world;
@@ -176,6 +180,29 @@ bool move_within_strains(WorldState& world, double substep, StrainLimit& limit, 
   limit.longest = substep / 2;
   ++limit.undone;
   return false;
+}
+
+/// State before a substep, and the number of microsteps that the observer had seen.
+struct BeforeSubstep {
+  WorldState world;
+  std::int64_t microstep = 0;
+};
+
+/// Returns the state before a substep [s] that has to be undone if it overloads bodies; none if it may not.
+std::optional<BeforeSubstep> keep_if_overloading(const WorldState& world, double substep, const SubstepLimit& limit) {
+  if (substep < 2 * limit.shortest || limit.undone == kMaxUndone || !may_overload(world)) return std::nullopt;
+  return BeforeSubstep{world, observed_microsteps(world)};
+}
+
+/// Restores the state before a substep [s] in which bodies became overloaded long before its end, and limits the next
+/// one up to there. False if there were none.
+bool undo_if_overloaded(WorldState& world, const BeforeSubstep& before, double substep, SubstepLimit& limit) {
+  const double fraction = fraction_until_overload(before.world, world, limit.last / substep);
+  if (fraction == 1) return false;
+  restore(world, before.world, before.microstep);
+  limit.longest = std::max(fraction * substep, limit.shortest);
+  ++limit.undone;
+  return true;
 }
 
 /// Returns the longest substep in which no more than a few bodies turn far [s]. Contacts among fragments that turn
@@ -194,30 +221,30 @@ double turning_limit(const WorldState& world, double shortest) {
 
 /// Makes substeps: up to the next impact, and while waves run in bodies that were hit or crack. Bodies in explicit
 /// dynamics take microsteps through a substep, all else one implicit substep, after which what is too soft for
-/// microsteps cracks.
+/// microsteps cracks. A substep in which cracks would begin late is undone, and ends where they begin.
 void step_in_substeps(WorldState& world, double time_step) {
   constexpr double kRounding = 1e-9, kGrowth = 1.25;
   StepTimings& ms = world.report.milliseconds;
   world.report.substeps = 0;
   world.scratch.microstep_work = 0;
-  StrainLimit strains = strain_limit(world, time_step);
+  SubstepLimit strains = strain_limit(world, time_step);
   StepImpacts impacts;
   for (double left = time_step; left > kRounding * time_step; ++world.report.substeps) {
     const double start = world.time, substep = std::min({strains.longest, turning_limit(world, strains.shortest),
                                                          next_substep(world, left, impacts)});
+    const std::optional<BeforeSubstep> before = keep_if_overloading(world, substep, strains);
     timed(ms.explicit_dynamics, [&] { impacts.follow_alone(world, substep); });
     if (!move_within_strains(world, substep, strains, impacts)) continue;
     strains.longest *= kGrowth;
     impacts.catch_up(world);
     timed(ms.explicit_dynamics, [&] { impacts.follow_late(world, start, substep); });
     world.time = start + substep;
-    left -= substep;
     end_explicit_if_quiet(world);
     part_at_bonds(world);
-    timed(ms.separation, [&] {
-      evaluate_separation(world, true);
-      begin_explicit_if_overloaded(world);
-    });
+    timed(ms.separation, [&] { evaluate_separation(world, true); });
+    if (before && undo_if_overloaded(world, *before, substep, strains)) continue;
+    left -= strains.last = substep;
+    begin_explicit_if_overloaded(world);
     if (world.model->scene.simulation.fracture) open_cracks(world, substep);
   }
   world.last_microstep_work = world.scratch.microstep_work;

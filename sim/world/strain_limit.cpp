@@ -32,10 +32,10 @@ double time_of_strains(const WorldState& world) {
 
 }  // namespace
 
-StrainLimit strain_limit(const WorldState& world, double time_step) {
+SubstepLimit strain_limit(const WorldState& world, double time_step) {
   constexpr double kMostSubsteps = 64;
   const double shortest = time_step / kMostSubsteps;
-  return {std::max(2 * shortest, time_of_strains(world)), shortest};
+  return {std::max(2 * shortest, time_of_strains(world)), shortest, time_step};
 }
 
 double depth_of_soft_bodies(const WorldState& world) {

@@ -4,14 +4,15 @@
 
 namespace griffith {
 
-/// Length of the substeps that soft bodies allow in a step.
-struct StrainLimit {
+/// Length of the substeps in a step, as far as deformable bodies limit it.
+struct SubstepLimit {
   double longest = 0, shortest = 0;  ///< [s]
+  double last = 0;                   ///< length of the last substep [s]
   int undone = 0;                    ///< substeps that were undone
 };
 
-/// Returns the limit for a step of this length [s].
-StrainLimit strain_limit(const WorldState& world, double time_step);
+/// Returns the limit by strains for a step of this length, after one that was not divided [s].
+SubstepLimit strain_limit(const WorldState& world, double time_step);
 
 /// Returns the depth of soft bodies below the ground, beyond that at rest, in sizes of their elements.
 double depth_of_soft_bodies(const WorldState& world);

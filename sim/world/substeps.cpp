@@ -9,7 +9,6 @@
 #include "sim/world/explicit/body_frequency.h"
 #include "sim/world/explicit/explicit_regime.h"
 #include "sim/world/explicit/similarity.h"
-#include "sim/world/fracture/fracture_phase.h"
 #include "sim/world/impacts/struck_bodies.h"
 #include "sim/world/regime/part_at_bonds.h"
 #include "sim/world/regime/regime_change.h"
@@ -114,17 +113,6 @@ double next_substep(WorldState& world, double left, StepImpacts& impacts) {
     if (body.explicit_state) limit_frequency(world, body);
   choose_similarity(world, left);
   return planned_substep(world, left);
-}
-
-void begin_explicit_if_overloaded(WorldState& world) {
-  if (!world.model->scene.simulation.fracture || is_spent(world)) return;
-  for (Body& body : world.bodies) {
-    const auto is_overloaded = [&](NodeId node) {
-      return world.nodes.separations[node].utilization > 1 && may_crack(world, node);
-    };
-    if (body.is_deformable() && std::ranges::any_of(body.nodes, is_overloaded) && suits_microsteps(world, body, 0))
-      begin_explicit(world, body, 0);
-  }
 }
 
 }  // namespace griffith

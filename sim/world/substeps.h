@@ -11,7 +11,4 @@ namespace griffith {
 /// as waves are followed. Bodies that are hit in it go into explicit dynamics.
 double next_substep(WorldState& world, double left, StepImpacts& impacts);
 
-/// Begins explicit dynamics of overloaded bodies, so that their cracks run at the speed that waves allow.
-void begin_explicit_if_overloaded(WorldState& world);
-
 }  // namespace griffith

@@ -77,7 +77,8 @@ void take_load(const WorldState& world, const SeparationInput& input, TensionZon
   const double fraction = strength.fraction(plane.normal);
   separation.eigenvalue = plane.eigenvalue;
   separation.direction = plane.normal;
-  separation.stress = averaged ? 0.5 * (stress + separation.stress) : stress;
+  separation.stress = averaged ? 0.5 * (stress + separation.end_stress) : stress;
+  separation.end_stress = stress;
   const double whole = fraction * resistance(material, world.nodes.strength_factors[node]);
   separation.resistance = whole;
   separation.energy_release = 0;

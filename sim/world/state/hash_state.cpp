@@ -72,7 +72,7 @@ std::uint64_t hash_of_stresses(const WorldState& world) {
 }
 
 std::uint64_t hash_of_separations(const WorldState& world) {
-  static_assert(sizeof(NodeSeparation) == 20 * sizeof(double), "it has no padding");
+  static_assert(sizeof(NodeSeparation) == 21 * sizeof(double), "it has no padding");
   const NodeArrays& nodes = world.nodes;
   FieldHash hash;
   hash.add(nodes.separations).add(nodes.reactions).add(nodes.strength_factors).add(nodes.has_support);

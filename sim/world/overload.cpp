@@ -1,0 +1,65 @@
+#include "sim/world/overload.h"
+
+#include <algorithm>
+
+#include "sim/world/explicit/explicit_regime.h"
+#include "sim/world/explicit/similarity.h"
+#include "sim/world/fracture/fracture_phase.h"
+#include "sim/world/impacts/struck_bodies.h"
+
+namespace griffith {
+namespace {
+
+/// Utilization up to which cracks begin in time.
+constexpr double kInTime = 1.01;
+
+/// Returns the utilization of a node by its load at the end of the last substep, not by the mean of start and end.
+double utilization_at_end(const WorldState& world, NodeId node) {
+  const NodeSeparation& separation = world.nodes.separations[node];
+  const double end_over_mean = separation.stress > 0 ? separation.end_stress / separation.stress : 1;
+  return end_over_mean * separation.utilization;
+}
+
+/// True if one of the nodes of a deformable body may crack, has `is_overloaded`, and its waves can be followed.
+template <class IsOverloaded>
+bool may_crack_in_microsteps(const WorldState& world, const Body& body, IsOverloaded is_overloaded) {
+  const auto cracks = [&](NodeId node) { return is_overloaded(node) && may_crack(world, node); };
+  return body.is_deformable() && std::ranges::any_of(body.nodes, cracks) && suits_microsteps(world, body, 0);
+}
+
+}  // namespace
+
+bool may_overload(const WorldState& world) {
+  return world.model->scene.simulation.fracture && !any_explicit(world) && !is_spent(world) &&
+         std::ranges::any_of(world.bodies, &Body::is_deformable);
+}
+
+double fraction_until_overload(const WorldState& before, const WorldState& world, double last_over_this) {
+  // The stress at the end of a substep answers to its mean load: to the load at its middle.
+  const auto rise_of = [&](NodeId node) {
+    return (utilization_at_end(world, node) - utilization_at_end(before, node)) * 2 / (1 + last_over_this);
+  };
+  const auto is_late = [&](NodeId node) {
+    const bool is_new = node.index() >= static_cast<int>(before.nodes.separations.size());  // copy beside a crack
+    return !is_new && utilization_at_end(world, node) + 0.5 * rise_of(node) > kInTime;
+  };
+  double fraction = 1;
+  for (const Body& body : world.bodies) {
+    if (!may_crack_in_microsteps(world, body, is_late)) continue;
+    for (const NodeId node : body.nodes) {
+      if (!is_late(node) || !may_crack(world, node)) continue;
+      const double until = 1 - utilization_at_end(world, node);
+      fraction = std::min(fraction, rise_of(node) > 0 ? 0.5 + until / rise_of(node) : 0);
+    }
+  }
+  return fraction;
+}
+
+void begin_explicit_if_overloaded(WorldState& world) {
+  if (!world.model->scene.simulation.fracture || is_spent(world)) return;
+  const auto is_overloaded = [&](NodeId node) { return world.nodes.separations[node].utilization > 1; };
+  for (Body& body : world.bodies)
+    if (may_crack_in_microsteps(world, body, is_overloaded)) begin_explicit(world, body, 0);
+}
+
+}  // namespace griffith
