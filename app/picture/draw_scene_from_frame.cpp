@@ -98,14 +98,14 @@ void color_by_material(render::DrawScene& picture, const Frame& frame) {
 
 /// Returns the values with NaN in place of those without a color in the picture: of hidden bodies, and of gray ones.
 QuantityValues colored_values(const ShownMesh& shown, QuantityValues values) {
-  const bool has_gray = shown.view.elements != ElementStyle::wireframe && follows_from_strain(shown.view.quantity);
+  const ViewSettings& view = shown.view;
+  if (view.elements != ElementStyle::wireframe) values = strained_values(shown.frame, view.quantity, std::move(values));
   const std::size_t per_tet = values.place == ValuePlace::tet ? 1 : 4;
   for (std::size_t i = 0; i < values.values.size(); ++i) {
     const BodyId body = values.place == ValuePlace::node
                             ? shown.body_of(NodeId(static_cast<std::int64_t>(i)))
                             : shown.frame.elements.bodies[TetId(static_cast<std::int64_t>(i / per_tet))];
-    if (shown.is_hidden(body) || (has_gray && shown.frame.bodies[body].rigid))
-      values.values[i] = std::numeric_limits<float>::quiet_NaN();
+    if (shown.is_hidden(body)) values.values[i] = std::numeric_limits<float>::quiet_NaN();
   }
   return values;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "app/shared/quantile.h"
 #include "sim/scene/quantities.h"
@@ -41,6 +43,21 @@ bool follows_from_strain(std::string_view key) {
   return value(some) != value(none);
 }
 
+QuantityValues strained_values(const Frame& frame, std::string_view key, QuantityValues values) {
+  if (!follows_from_strain(key)) return values;
+  const std::size_t per_tet = values.place == ValuePlace::tet ? 1 : 4;
+  for (std::size_t tet = 0; tet < frame.elements.bodies.size(); ++tet) {
+    if (!frame.bodies[frame.elements.bodies[tet]].rigid) continue;
+    for (std::size_t i = 0; i < per_tet; ++i) {
+      const std::size_t place = values.place == ValuePlace::node
+                                    ? static_cast<std::size_t>(frame.elements.tets[tet][i].index())
+                                    : per_tet * tet + i;
+      values.values[place] = std::numeric_limits<float>::quiet_NaN();
+    }
+  }
+  return values;
+}
+
 std::vector<int> histogram(const QuantityValues& values, const Vec2& range, int bins) {
   std::vector<int> counts(static_cast<std::size_t>(bins), 0);
   for (const float value : values.values) {
@@ -59,7 +76,7 @@ Vec2 symmetric_range(const Vec2& range) {
 Vec2 automatic_range(const Frame& frame, std::string_view key, const QuantityValues& values) {
   const Quantity& quantity = *find_view_quantity(key);
   if (quantity.range) return {(*quantity.range)[0], (*quantity.range)[1]};
-  std::vector<float> numbers = finite(values.values);
+  std::vector<float> numbers = finite(strained_values(frame, key, values).values);
   Vec2 range(std::min(0.0f, quantile_of(numbers, 0.02)), std::max(0.0f, quantile_of(numbers, 0.98)));
   const double missing = min_width(frame, quantity) - (range[1] - range[0]);
   if (missing > 0)

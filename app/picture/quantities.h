@@ -15,6 +15,10 @@ bool is_scalar(std::string_view key);
 /// True if values of the quantity follow from strain, which bodies that move as a whole do not have.
 bool follows_from_strain(std::string_view key);
 
+/// Returns the values of a quantity with NaN in place of those of rigid bodies, which have no strain, if it follows
+/// from strain.
+QuantityValues strained_values(const Frame& frame, std::string_view key, QuantityValues values);
+
 /// Returns counts of the finite values in `bins` equal parts of the range; values beyond it count at its ends.
 std::vector<int> histogram(const QuantityValues& values, const Vec2& range, int bins);
 
@@ -22,8 +26,8 @@ std::vector<int> histogram(const QuantityValues& values, const Vec2& range, int 
 Vec2 symmetric_range(const Vec2& range);
 
 /// Returns the range of colors of a quantity (Quantity::range), or one that ignores outliers: from 0, or the 2nd
-/// percentile if values are negative, to the 98th. Values that are not finite are ignored. Never empty: the least width
-/// is the smallest relevant difference (Quantity::noise).
+/// percentile if values are negative, to the 98th. Counts strained_values(), and of these finite ones. Never empty: the
+/// least width is the smallest relevant difference (Quantity::noise).
 Vec2 automatic_range(const Frame& frame, std::string_view key, const QuantityValues& values);
 
 }  // namespace griffith::app

@@ -74,6 +74,34 @@ TEST(Quantities, RangeIsNeverEmptyAndHoldsZero) {
   }
 }
 
+/// A block that is held at its foot, and blocks that fall far away.
+Scene block_and_falling_blocks(int falling) {
+  Scene scene;
+  BodyDescription& held = scene.bodies.emplace_back();
+  held.shape = BoxShape{Vec3(1, 1, 1), Vec3(0.5, 0.5, 0.5), BoxPattern::five_tet};
+  held.position = Vec3(0, 5, 0);
+  held.supports.emplace_back().region = HalfSpaceRegion{Vec3(0, -0.5, 0), Vec3(0, -1, 0)};
+  for (int i = 0; i < falling; ++i) {
+    BodyDescription block = scene.bodies.front();
+    block.supports.clear();
+    block.position = Vec3(10.0 + 3 * i, 20, 0);
+    scene.bodies.push_back(block);
+  }
+  return scene;
+}
+
+TEST(Quantities, RigidBodiesWithoutStressDoNotChangeItsRange) {
+  World alone(block_and_falling_blocks(0)), among(block_and_falling_blocks(9));
+  for (int i = 0; i < 5; ++i) alone.step(), among.step();
+  ASSERT_TRUE(among.frame().bodies.back().rigid);
+  const auto range_of = [](const Frame& frame, const char* key) {
+    return automatic_range(frame, key, quantity_values(frame, *find_quantity(key)));
+  };
+  for (const char* key : {"von_mises", "pressure", "max_principal_stress", "separation_stress"})
+    EXPECT_EQ(range_of(among.frame(), key), range_of(alone.frame(), key)) << key;
+  EXPECT_NE(range_of(among.frame(), "speed"), range_of(alone.frame(), "speed")) << "which all bodies have";
+}
+
 TEST(Quantities, HistogramCountsEveryFiniteValueOnce) {
   std::mt19937 random(4);
   std::normal_distribution<float> normal;
