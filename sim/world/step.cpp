@@ -161,7 +161,7 @@ bool move_within_ceiling(WorldState& world, double substep, StepImpacts& impacts
   return false;
 }
 
-/// Most substeps of a step that are undone.
+/// Most substeps of a step that are undone for one reason.
 constexpr int kMaxUndone = 12;
 
 /// Moves everything on by `substep` [s]. Where the nonlinear step of a soft body does not converge, or one turns so far
@@ -190,7 +190,7 @@ struct BeforeSubstep {
 
 /// Returns the state before a substep [s] that has to be undone if it overloads bodies; none if it may not.
 std::optional<BeforeSubstep> keep_if_overloading(const WorldState& world, double substep, const SubstepLimit& limit) {
-  if (substep < 2 * limit.shortest || limit.undone == kMaxUndone || !may_overload(world)) return std::nullopt;
+  if (substep < 2 * limit.shortest || limit.late == kMaxUndone || !may_overload(world)) return std::nullopt;
   return BeforeSubstep{world, observed_microsteps(world)};
 }
 
@@ -201,7 +201,7 @@ bool undo_if_overloaded(WorldState& world, const BeforeSubstep& before, double s
   if (fraction == 1) return false;
   restore(world, before.world, before.microstep);
   limit.longest = std::max(fraction * substep, limit.shortest);
-  ++limit.undone;
+  ++limit.late;
   return true;
 }
 

@@ -8,7 +8,8 @@ namespace griffith {
 struct SubstepLimit {
   double longest = 0, shortest = 0;  ///< [s]
   double last = 0;                   ///< length of the last substep [s]
-  int undone = 0;                    ///< substeps that were undone
+  int undone = 0;                    ///< substeps that were undone since bodies strained or sank too far
+  int late = 0;                      ///< substeps that were undone since cracks would begin late
 };
 
 /// Returns the limit by strains for a step of this length, after one that was not divided [s].
