@@ -121,13 +121,19 @@ void step_implicitly(WorldState& world, double time_step) {
   update_sleep(world, time_step);
 }
 
-/// Restores the state before some substep, of whose microsteps the observer forgets those after `microstep`.
-void restore(WorldState& world, const WorldState& before, std::int64_t microstep) {
-  world = before;
-  if (world.watch) world.watch->go_back(microstep);
-}
+/// State before a substep that may be undone, and the number of microsteps that the observer had seen.
+struct BeforeSubstep {
+  explicit BeforeSubstep(const WorldState& now) : world(now), microsteps(now.watch ? now.watch->microsteps : 0) {}
 
-std::int64_t observed_microsteps(const WorldState& world) { return world.watch ? world.watch->microsteps : 0; }
+  WorldState world;
+  std::int64_t microsteps;
+};
+
+/// Restores the state before a substep, whose microsteps the observer forgets.
+void restore(WorldState& world, const BeforeSubstep& before) {
+  world = before.world;
+  if (world.watch) world.watch->go_back(before.microsteps);
+}
 
 /// Moves everything on by `substep` [s]: by microsteps what is in explicit dynamics, all else by one implicit substep.
 /// False where the microsteps would take more than `max_work`: the world is of no use then.
@@ -151,11 +157,10 @@ bool move_within_ceiling(WorldState& world, double substep, StepImpacts& impacts
   const double max_work = 0.5 * work_left(world);
   if (kUncertainty * expected_work(world, substep) < max_work)
     return move_along(world, substep, std::numeric_limits<double>::infinity(), impacts);
-  const WorldState before = world;
-  const std::int64_t microstep = observed_microsteps(world);
+  const BeforeSubstep before(world);
   if (move_along(world, substep, max_work, impacts)) return true;
   const double work = world.scratch.microstep_work, overhead = world.explicit_overhead;
-  restore(world, before, microstep);
+  restore(world, before);
   world.scratch.microstep_work = work;
   world.explicit_overhead = overhead;
   return false;
@@ -171,27 +176,20 @@ bool move_within_strains(WorldState& world, double substep, SubstepLimit& limit,
   constexpr double kDeep = 1e-3;  // in sizes of elements
   if (substep < 2 * limit.shortest || limit.undone == kMaxUndone || !may_strain_far(world))
     return move_within_ceiling(world, substep, impacts);
-  const WorldState before = world;
-  const std::int64_t microstep = observed_microsteps(world);
+  const BeforeSubstep before(world);
   if (!move_within_ceiling(world, substep, impacts)) return false;
-  const bool has_converged = world.report.unconverged_motions == before.report.unconverged_motions;
-  if (has_converged && depth_of_soft_bodies(world) <= std::max(kDeep, depth_of_soft_bodies(before))) return true;
-  restore(world, before, microstep);
+  const bool has_converged = world.report.unconverged_motions == before.world.report.unconverged_motions;
+  if (has_converged && depth_of_soft_bodies(world) <= std::max(kDeep, depth_of_soft_bodies(before.world))) return true;
+  restore(world, before);
   limit.longest = substep / 2;
   ++limit.undone;
   return false;
 }
 
-/// State before a substep, and the number of microsteps that the observer had seen.
-struct BeforeSubstep {
-  WorldState world;
-  std::int64_t microstep = 0;
-};
-
 /// Returns the state before a substep [s] that has to be undone if it overloads bodies; none if it may not.
 std::optional<BeforeSubstep> keep_if_overloading(const WorldState& world, double substep, const SubstepLimit& limit) {
   if (substep < 2 * limit.shortest || limit.late == kMaxUndone || !may_overload(world)) return std::nullopt;
-  return BeforeSubstep{world, observed_microsteps(world)};
+  return BeforeSubstep(world);
 }
 
 /// Restores the state before a substep [s] in which bodies became overloaded long before its end, and limits the next
@@ -199,7 +197,7 @@ std::optional<BeforeSubstep> keep_if_overloading(const WorldState& world, double
 bool undo_if_overloaded(WorldState& world, const BeforeSubstep& before, double substep, SubstepLimit& limit) {
   const double fraction = fraction_until_overload(before.world, world, limit.last / substep);
   if (fraction == 1) return false;
-  restore(world, before.world, before.microstep);
+  restore(world, before);
   limit.longest = std::max(fraction * substep, limit.shortest);
   ++limit.late;
   return true;
@@ -227,24 +225,24 @@ void step_in_substeps(WorldState& world, double time_step) {
   StepTimings& ms = world.report.milliseconds;
   world.report.substeps = 0;
   world.scratch.microstep_work = 0;
-  SubstepLimit strains = strain_limit(world, time_step);
+  SubstepLimit limit = strain_limit(world, time_step);
   StepImpacts impacts;
   for (double left = time_step; left > kRounding * time_step; ++world.report.substeps) {
-    const double start = world.time, substep = std::min({strains.longest, turning_limit(world, strains.shortest),
+    const double start = world.time, substep = std::min({limit.longest, turning_limit(world, limit.shortest),
                                                          next_substep(world, left, impacts)});
-    const std::optional<BeforeSubstep> before = keep_if_overloading(world, substep, strains);
+    const std::optional<BeforeSubstep> before = keep_if_overloading(world, substep, limit);
     timed(ms.explicit_dynamics, [&] { impacts.follow_alone(world, substep); });
-    if (!move_within_strains(world, substep, strains, impacts)) continue;
-    strains.longest *= kGrowth;
+    if (!move_within_strains(world, substep, limit, impacts)) continue;
+    limit.longest *= kGrowth;
     impacts.catch_up(world);
     timed(ms.explicit_dynamics, [&] { impacts.follow_late(world, start, substep); });
     world.time = start + substep;
     end_explicit_if_quiet(world);
     part_at_bonds(world);
     timed(ms.separation, [&] { evaluate_separation(world, true); });
-    if (before && undo_if_overloaded(world, *before, substep, strains)) continue;
-    left -= strains.last = substep;
-    begin_explicit_if_overloaded(world);
+    if (before && undo_if_overloaded(world, *before, substep, limit)) continue;
+    left -= limit.last = substep;
+    timed(ms.separation, [&] { begin_explicit_if_overloaded(world); });
     if (world.model->scene.simulation.fracture) open_cracks(world, substep);
   }
   world.last_microstep_work = world.scratch.microstep_work;
