@@ -138,7 +138,8 @@ Vec3 corner_force(const RestElement& rest, const ElementState& state, int corner
 
 namespace {
 
-/// As energy_release_rate(), with the open faces at the node and the sides of the crack along the plane.
+/// Returns the energy release rate of a crack across the plane with `normal` [J/m²]. `faces`: the open ones at the node;
+/// `above`: per tet of the star, 1 on the upper side of the plane.
 double release_between(const TetMesh& mesh, NodeId node, std::span<const Corners> star, std::span<const Vec3> forces,
                        const Vec3& normal, std::span<const OpenFace> faces, std::span<const std::uint8_t> above,
                        std::span<const HeldNode> held) {
@@ -178,15 +179,6 @@ Vec3 normal_of_faces(const TetMesh& mesh, NodeId node, std::span<const Corners> 
 }
 
 }  // namespace
-
-double energy_release_rate(const TetMesh& mesh, NodeId node, std::span<const Corners> star,
-                           std::span<const Vec3> forces, const Vec3& normal, const Vec3& offset,
-                           std::span<const HeldNode> held) {
-  const std::vector<OpenFace> faces = open_faces_at(mesh, std::span(&node, 1));
-  if (faces.empty()) return 0;
-  return release_between(mesh, node, star, forces, normal, faces, sides_along(mesh, node, star, normal, offset, faces),
-                         held);
-}
 
 CrackAdvance best_advance(const TetMesh& mesh, NodeId node, std::span<const Corners> star, std::span<const Vec3> forces,
                           const Vec3& normal, const Vec3& offset, std::span<const HeldNode> held) {

@@ -49,33 +49,27 @@ struct HeldNode {
   double taken = 1;     ///< part of their energy that they have taken, 0..1
 };
 
-/// Energy release rate of a crack that advances through a node of its front [J/m²], by virtual crack closure (Rybicki
-/// & Kanninen 1977) in three dimensions and all modes:
+/// Advance of a crack through a node of its front. Its energy release rate follows from virtual crack closure (Rybicki &
+/// Kanninen 1977) in three dimensions and all modes:
 ///   G = ½ t·δ,  t = R / A
 ///   R   force that the elements on both sides of the plane through the node with `normal` exert on each other at it
 ///   A   part of the crack plane that belongs to the node: a third of each face between the sides, as a vector [m²]
 ///   δ   opening one element behind: mean of the open faces at the node [m]
 /// A crack that stands has given its bonds the energy that they have taken: the traction that they bear at δ adds to t.
 /// Nodes count by the part of the energy that their bonds have taken, so those beside a node that have just opened do
-/// not count as behind it.
-/// 0 without such faces, or if the crack is pressed together.
-///   star    corners of the star's tets as they are now [m]
-///   forces  of these tets on the node [N]
-///   offset  as in sides_of_crack() [m]
-///   held    per node of the mesh; empty: no bonds
-double energy_release_rate(const TetMesh& mesh, NodeId node, std::span<const Corners> star,
-                           std::span<const Vec3> forces, const Vec3& normal, const Vec3& offset = Vec3::Zero(),
-                           std::span<const HeldNode> held = {});
-
-/// Advance of a crack through a node of its front.
+/// not count as behind it. G is 0 without such faces, or if the crack is pressed together.
 struct CrackAdvance {
   Vec3 normal = Vec3::UnitX();  ///< normal of its plane
-  double energy_release = 0;    ///< [J/m²]
+  double energy_release = 0;    ///< G [J/m²]
 };
 
 /// Returns the advance with the higher energy release rate: across the plane with `normal`, or straight on along the
 /// open faces at the node if these are pulled apart, not sheared, and that releases clearly more. Beside a slit in a
 /// bent bar the largest tension is along the slit, and a plane across it releases nothing.
+///   star    corners of the star's tets as they are now [m]
+///   forces  of these tets on the node [N]
+///   offset  as in sides_of_crack() [m]
+///   held    per node of the mesh; empty: no bonds
 CrackAdvance best_advance(const TetMesh& mesh, NodeId node, std::span<const Corners> star, std::span<const Vec3> forces,
                           const Vec3& normal, const Vec3& offset, std::span<const HeldNode> held = {});
 
