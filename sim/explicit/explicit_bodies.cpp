@@ -290,6 +290,12 @@ void ExplicitBodies::push(int node, const Vec3& impulse) {
   velocities_[node].value += wide(change);
 }
 
+Vec3 ExplicitBodies::displacement_by(int node, const Vec3& impulse, double time) const {
+  const ExplicitNode& pushed = nodes_[node];
+  const Vec3 displacement = time * pushed.inverse_mass * impulse;
+  return pushed.constraint < 0 ? displacement : Vec3(constraints_[pushed.constraint].constraint.allowed * displacement);
+}
+
 double ExplicitBodies::mobility(int node, const Vec3& direction) const {
   const ExplicitNode& pushed = nodes_[node];
   if (pushed.constraint < 0) return pushed.inverse_mass;

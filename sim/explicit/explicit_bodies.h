@@ -196,6 +196,9 @@ class ExplicitBodies {
   void accelerate(int node, const Vec3& change) {
     accelerations_[node].value += WideQuad{change[0], change[1], change[2], 0};
   }
+  /// Returns the displacement in `time` [s] by the velocity change of an impulse [N·s], in the directions that supports
+  /// leave free [m].
+  Vec3 displacement_by(int node, const Vec3& impulse, double time) const;
   /// Returns the velocity change along `direction` of a unit impulse along it [1/kg].
   double mobility(int node, const Vec3& direction) const;
   /// Returns the energy dissipated by viscosity [J], with half of the present forces' part if these get half a kick.

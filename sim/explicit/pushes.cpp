@@ -47,9 +47,8 @@ void MicrostepContacts::act(ExplicitBodies& bodies, const Touch& touch, const Ve
 }
 
 void MicrostepContacts::take_back(ExplicitBodies& bodies, const Touch& touch, const Vec3& impulse, double time) {
-  const auto shift = [&](int node, const Vec3& fraction) {
-    const double size = fraction.norm();
-    if (size > 0) shift_node(bodies, node, time * bodies.mobility(node, fraction / size) * fraction);
+  const auto shift = [&](int node, const Vec3& part) {
+    if (!part.isZero(0)) shift_node(bodies, node, bodies.displacement_by(node, part, time));
   };
   for (int i = 0; i < touch.count; ++i) shift(touch.nodes[i], touch.weights[i] * impulse);
   for (int i = 0; i < touch.other_count; ++i) shift(touch.other_nodes[i], -touch.other_weights[i] * impulse);

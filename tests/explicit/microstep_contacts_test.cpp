@@ -353,6 +353,23 @@ TEST(MicrostepContacts, ANodePressedIntoAGrooveHardlyGainsEnergy) {
   }
 }
 
+/// A corner that slides on a plane and is struck slantwise is moved back along that plane alone.
+TEST(MicrostepContacts, ImpulsesMoveNoNodeAgainstItsSupport) {
+  Tets tets;
+  Corners4 upper = kLower;  // its tip, held, lies in the face of the other
+  for (Vec3& corner : upper) corner += Vec3(0.1, 0, 1 - 1e-3);
+  tets.add(kLower, Vec3(0.3, 0.2, 1)), tets.add(upper, Vec3::Zero());
+  const Vec3 normal = Vec3(1, 2, 3).normalized();
+  constexpr int kTip = 7;
+  tets.bodies.constrain(kTip, NodeConstraint::sliding(normal));
+  const double dt = tets.begin_stable();
+  MicrostepContacts impacts(tets.bodies, tets.surface, {}, {}, tets.laws, 1);
+  const Vec3 before = tets.bodies.position(kTip);
+  impacts.resolve(tets.bodies, dt, 0);
+  EXPECT_GT((tets.bodies.position(kTip) - before).norm(), 1e-9) << "it was pushed";
+  EXPECT_LT(std::abs(normal.dot(tets.bodies.position(kTip) - before)), 1e-15);
+}
+
 TEST(MicrostepContacts, NothingIsInsideAHullOfPointsInALine) {
   for (const int count : {1, 2, 5}) {
     std::vector<Vec3> points;
