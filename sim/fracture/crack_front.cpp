@@ -138,8 +138,8 @@ Vec3 corner_force(const RestElement& rest, const ElementState& state, int corner
 
 namespace {
 
-/// Returns the energy release rate of a crack across the plane with `normal` [J/m²]. `faces`: the open ones at the node;
-/// `above`: per tet of the star, 1 on the upper side of the plane.
+/// Returns the energy release rate of a crack across the plane with `normal` [J/m²]. `faces`: the open ones at the
+/// node; `above`: per tet of the star, 1 on the upper side of the plane.
 double release_between(const TetMesh& mesh, NodeId node, std::span<const Corners> star, std::span<const Vec3> forces,
                        const Vec3& normal, std::span<const OpenFace> faces, std::span<const std::uint8_t> above,
                        std::span<const HeldNode> held) {

@@ -49,8 +49,8 @@ struct HeldNode {
   double taken = 1;     ///< part of their energy that they have taken, 0..1
 };
 
-/// Advance of a crack through a node of its front. Its energy release rate follows from virtual crack closure (Rybicki &
-/// Kanninen 1977) in three dimensions and all modes:
+/// Advance of a crack through a node of its front. Its energy release rate follows from virtual crack closure (Rybicki
+/// & Kanninen 1977) in three dimensions and all modes:
 ///   G = ½ t·δ,  t = R / A
 ///   R   force that the elements on both sides of the plane through the node with `normal` exert on each other at it
 ///   A   part of the crack plane that belongs to the node: a third of each face between the sides, as a vector [m²]
