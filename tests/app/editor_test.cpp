@@ -245,7 +245,7 @@ TEST_F(EditorWithoutCameras, TheFirstPictureIsFramedAsHomeFramesIt) {
 TEST_F(EditorTest, SavedSceneOpensAsItWasEditedAndShown) {
   const std::filesystem::path path = small_wall_file();
   editor_.builder().open(path);
-  draw(2);
+  wait_for_work();
   click("view/edges");
   click("material/preset");
   click("material/preset/concrete");
