@@ -254,6 +254,12 @@ void ExplicitBodies::advance_nodes(double kick, double drift, std::vector<int>& 
   fastest_ = std::sqrt(fastest);
 }
 
+float ExplicitBodies::flagging_stress(int node) const {
+  float largest = 0;
+  for (const int entry : star(node)) largest = std::max(largest, forces_[entry].value[3]);
+  return largest;
+}
+
 void ExplicitBodies::hold(int index, double drift) {
   ExplicitConstraint& held = constraints_[index];
   const Vec3 free = velocity(held.node);

@@ -210,6 +210,13 @@ class ExplicitBodies {
   /// Return a node's acceleration by external forces, and by all present forces in free directions [m/s²].
   Vec3 external_acceleration(int node) const { return vector(accelerations_[node].value); }
   Vec3 acceleration(int node) const;
+  /// Returns the stress by which advance() flags a node [Pa], after compute_forces() with largest stresses.
+  float flagging_stress(int node) const;
+  /// Returns the last force of an element on a corner, by 4·slot + corner [N].
+  Vec3 force(int entry) const {
+    const Quad& force = forces_[entry].value;
+    return {force[0], force[1], force[2]};
+  }
   /// Returns the highest speed of any node after advance() [m/s].
   double fastest() const { return fastest_; }
   /// Returns the bounds of all nodes' velocities after advance() [m/s].

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "sim/elasticity/corner_traction.h"
+#include "sim/elasticity/principal_stress.h"
 #include "sim/mesh/topology.h"
 
 namespace griffith {
@@ -194,6 +195,51 @@ CrackAdvance best_advance(const TetMesh& mesh, NodeId node, std::span<const Corn
   if (pull.dot(straight) < kOpening * pull.norm()) return across;
   const double rate = release_between(mesh, node, star, forces, straight, faces, above, held);
   return rate > kClearly * across.energy_release ? CrackAdvance{straight, rate} : across;
+}
+
+namespace {
+
+/// Area of a plane through a node over that of a crack, whose sides are whole tets.
+constexpr double kPlanesArea = 1.5;
+
+/// Returns a bound of the area of planes through a node [m²]: with a normal n it is ½ Σ |a·n| of the thirds a of the
+/// faces opposite the node, at least the smallest eigenvalue of ½ Σ a aᵀ / |a|.
+double least_plane_area(const TetMesh& mesh, NodeId node) {
+  Mat3 sum = Mat3::Zero();
+  for (const TetId tet : mesh.stars[node])
+    sum += 0.5 * force_dyad(third_of_face(mesh, tet, kTetFaces[local_corner(mesh, tet, node)]));
+  return -largest_principal(-sum).value;
+}
+
+/// Returns the forces on a node beyond those that accelerate all its tets alike [N].
+std::vector<Vec3> relative_forces(const TetMesh& mesh, NodeId node, std::span<const Vec3> forces) {
+  const std::vector<TetId>& star = mesh.stars[node];
+  Vec3 total = Vec3::Zero();
+  double volume = 0;
+  for (std::size_t i = 0; i < star.size(); ++i) total += forces[i], volume += rest_volume(mesh, star[i]);
+  std::vector<Vec3> relative;
+  for (std::size_t i = 0; i < star.size(); ++i)
+    relative.push_back(forces[i] - rest_volume(mesh, star[i]) / volume * total);
+  return relative;
+}
+
+}  // namespace
+
+double energy_release_bound(const TetMesh& mesh, NodeId node, std::span<const Corners> star,
+                            std::span<const Vec3> forces) {
+  const std::vector<Vec3> relative = relative_forces(mesh, node, forces);
+  double most = 0;
+  for (const OpenFace& face : open_faces_at(mesh, std::span(&node, 1))) {
+    const Corners &first = star[index_in(mesh.stars[node], face.first)],
+                  &second = star[index_in(mesh.stars[node], face.second)];
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 opening = second.col(face.second_corners[i]) - first.col(face.first_corners[i]);
+      double work = 0;
+      for (const Vec3& force : relative) work += std::max(0.0, force.dot(opening));
+      most = std::max(most, work);
+    }
+  }
+  return most > 0 ? 0.5 * most * kPlanesArea / least_plane_area(mesh, node) : 0;
 }
 
 }  // namespace griffith

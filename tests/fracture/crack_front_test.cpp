@@ -100,6 +100,31 @@ TEST_P(CrackFront, TetsBesideOpenFacesStayOnTheirSideOfATiltedPlane) {
     }
 }
 
+TEST_P(CrackFront, NoPlaneReleasesMoreThanTheBound) {
+  const SlitBox box(GetParam());
+  RandomValues random(7);
+  double closest = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const NodeId tip = box.tips[i % 3];
+    const Mat3 part = random.matrix(), stress = part + part.transpose();
+    std::vector<Vec3> places(box.mesh.rest_positions.begin(), box.mesh.rest_positions.end());
+    for (Vec3& place : places) place += random.vector(1e-4);
+    std::vector<Corners> star;
+    std::vector<Vec3> forces;
+    for (const TetId tet : box.mesh.stars[tip]) {
+      Corners& corners = star.emplace_back();
+      for (int c = 0; c < 4; ++c) corners.col(c) = places[box.mesh.tets[tet][c].index()];
+      const Vec3 third = third_of_face(box.mesh, tet, kTetFaces[local_corner(box.mesh, tet, tip)]);
+      forces.push_back((stress + random.uniform() * Mat3::Identity()) * third);
+    }
+    const double bound = energy_release_bound(box.mesh, tip, star, forces);
+    const double rate = best_advance(box.mesh, tip, star, forces, random.direction(), Vec3::Zero()).energy_release;
+    EXPECT_LE(rate, bound);
+    closest = std::max(closest, rate / bound);
+  }
+  EXPECT_GT(closest, 0.2) << "a bound far from all rates screens nothing";
+}
+
 INSTANTIATE_TEST_SUITE_P(Patterns, CrackFront,
                          ::testing::Values(BoxPattern::kuhn, BoxPattern::five_tet, BoxPattern::bcc));
 

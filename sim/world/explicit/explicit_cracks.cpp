@@ -23,11 +23,6 @@ namespace {
 constexpr double kOverloadTime = 0.75;
 /// Largest speed of cracks as a fraction of the bar wave's: about half of the Rayleigh wave's (Freund 1990).
 constexpr double kCrackSpeed = 0.3;
-/// Safety factor of screening: the stress of elements is that of another frame than in the check of nodes.
-constexpr float kScreeningFraction = 0.97F;
-/// Largest stress or equivalent tension of the elements around a node over its load, at least: of the load, their mean
-/// equivalent tension is one part, and what the plane's stress exceeds that of the mean the other.
-constexpr double kSurfaceFraction = 0.5;
 /// Elements and nodes that one thread checks: fewer are done before another thread could start.
 constexpr int kGrain = 128;
 /// Work of the check of a node with the elements around it, and of a crack [µs of a typical core].
@@ -73,30 +68,11 @@ std::vector<explicit_dynamics::CrackSides> crack_sides(const WorldState& world, 
   return cracks;
 }
 
-float screening_stress(const WorldState& world, NodeId node) {
-  const Body& body = body_at(world, node);
-  const Material& material = world.material_of(body);
-  if (!world.model->scene.simulation.fracture) return std::numeric_limits<float>::infinity();
-  if (world.mesh->stars[node].size() == 1 && world.nodes.has_support[node] == 0)  // a tip: nothing to part
-    return std::numeric_limits<float>::infinity();
-  const FractureLaw& law = fracture_law(material);
-  double minimum = screening_resistance_at(world, material, node);
-  if (const auto& weakness = world.model->weaknesses[body.scene_body]) minimum *= weakness->strength_ratio;
-  if (!law.is_stress()) {
-    double area = 0;  // v⁺ is at most half the sum of the tensile forces
-    for (const TetId tet : world.mesh->stars[node])
-      area += world.elements.rest_elements[tet].volume *
-              world.elements.rest_elements[tet].shape_gradients.col(local_corner(world.mesh, tet, node)).norm();
-    minimum *= 2 / area;
-  }
-  if (law.strength_ratio) minimum *= kSurfaceFraction;
-  return kScreeningFraction * static_cast<float>(minimum);
-}
-
 void ExplicitRun::update_threshold(int index) {
   const NodeId node = nodes_[index];
+  const bool at_front = world_.nodes.at_crack_front[node] != 0;
   explicit_bodies_.node(index).threshold =
-      static_cast<float>(body_of(node).explicit_state->similarity) * screening_stress(world_, node);
+      static_cast<float>(body_of(node).explicit_state->similarity) * screening_stress(world_, node, at_front);
 }
 
 /// Returns the time in which a wave crosses an element at the node [s].
@@ -174,7 +150,7 @@ void ExplicitRun::update_states_at_flagged() {
 void ExplicitRun::check_overload() {
   const double last_check = std::exchange(world_.overload_check, time_);
   overloaded_.clear();
-  std::erase_if(flagged_, [&](int index) { return time_ < world_.nodes.overloads[nodes_[index]].known_from; });
+  std::erase_if(flagged_, [&](int index) { return !can_be_overloaded(index); });
   work_ += kCheckWork * static_cast<double>(flagged_.size());
   update_states_at_flagged();
   const SeparationInput input = separation_input(world_);

@@ -12,6 +12,7 @@
 #include "sim/explicit/microstep_contacts.h"
 #include "sim/world/conditions/loads.h"
 #include "sim/world/explicit/restored_bonds.h"
+#include "sim/world/explicit/screening.h"
 #include "sim/world/fracture/fracture_phase.h"
 
 namespace griffith {
@@ -31,10 +32,6 @@ inline constexpr double kCourant = 0.5;
 /// Interval of impulses on a node below which they count as lasting pressure, in the time in which a wave crosses an
 /// element.
 inline constexpr double kPressing = 4;
-
-/// Returns the largest principal stress of the elements at a node up to which the node cannot be overloaded, under the
-/// full stiffness [Pa]; infinite if it cannot separate.
-float screening_stress(const WorldState& world, NodeId node);
 
 /// Microsteps of bodies in explicit dynamics over a part of a step, from and back to the world.
 class ExplicitRun {
@@ -121,6 +118,8 @@ class ExplicitRun {
   void carry_others(WorldState& moment) const;
   void store_bonds(WorldState& world) const;
   void update_threshold(int index);
+  bool can_be_overloaded(int index) const;
+  double energy_release_bound_at(int index) const;
   void update_linear_states(std::span<const TetId> tets, const Body& body, std::vector<ElementState>& states);
   void update_quadratic_states(std::span<const TetId> tets, const Body& body);
   void take_stale(TetId tet);

@@ -20,8 +20,7 @@ double element_size_at(const WorldState& world, NodeId node) {
   return mean_element_size(world.elements.rest_elements, world.mesh->stars[node]);
 }
 
-double screening_resistance_at(const WorldState& world, const Material& material, NodeId node) {
-  const bool at_front = world.nodes.at_crack_front[node] != 0;
+double screening_resistance_at(const WorldState& world, const Material& material, NodeId node, bool at_front) {
   return screening_resistance(material, at_front, at_front ? element_size_at(world, node) : 0,
                               world.nodes.strength_factors[node]);
 }

@@ -16,7 +16,7 @@ double peak_utilization(const WorldState& world, const Body& body);
 /// Returns the edge length of the cells around a node: that of a cube of six of its tets [m].
 double element_size_at(const WorldState& world, NodeId node);
 /// Returns screening_resistance() of a node.
-double screening_resistance_at(const WorldState& world, const Material& material, NodeId node);
+double screening_resistance_at(const WorldState& world, const Material& material, NodeId node, bool at_front);
 /// Returns the way from a node to the path of the crack that ends at it, as it is now [m].
 Vec3 path_offset_at(const WorldState& world, NodeId node);
 /// Returns the energy that a crack across a plane through a node takes, by the weakness of the body [J/m²].

@@ -130,7 +130,8 @@ std::vector<int> Trial::add_nodes(const Body& body, const RigidState& state) {
                                                                     Vec3::Zero(), world_.nodes.masses[node]}));
     if (!world_.nodes.constraints[node].is_free()) explicit_bodies_.constrain(index, world_.nodes.constraints[node]);
     const double carried = std::clamp(world_.nodes.separations[node].utilization, 0.0, 1.0);
-    explicit_bodies_.node(index).threshold = static_cast<float>(1 - carried) * screening_stress(world_, node);
+    explicit_bodies_.node(index).threshold =
+        static_cast<float>(1 - carried) * screening_stress(world_, node, world_.nodes.at_crack_front[node] != 0);
     nodes_.push_back({element_size_at(world_, node) / wave_speed, carried});
     parts_.nodes.push_back(node);
   }
