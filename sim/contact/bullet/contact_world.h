@@ -320,6 +320,9 @@ struct ContactWorld::Impl : contact::ContactState {
   Vec3 swept_end(const contact::Object& projectile, double dt, const SweepRule& rule) const;
   Vec3 velocity_after(const Vec3& velocity, const Vec3& displacement, double dt) const;
   double allowed_depth(const contact::Object& projectile, const contact::Object& other) const;
+  void add_touches(const contact::Object& projectile, const contact::Object& other, const Vec3& center,
+                   const Vec3& velocity, double fraction, double dt, double slow,
+                   std::vector<TouchAhead>& touches) const;
   std::vector<TouchAhead> touches_ahead(const contact::Object& projectile, const Vec3& center, const Vec3& velocity,
                                         double fraction, double dt, const SweepRule& rule) const;
   Vec3 velocity_at_touch(const contact::Object& projectile, Vec3 velocity, const TouchAhead& touch, const Vec3& center,

@@ -243,10 +243,46 @@ bool may_come_near(const Object& object, const Vec3& center, const Vec3& displac
   return nearest_distance(apart, displacement - (1 - fraction) * whole) <= kRounding * reach + 1e-12 * apart.norm();
 }
 
+/// Returns the number of pieces in which a path through the frame of an object is straight enough for a projectile: the
+/// object rotates, so that the path is bent.
+int straight_pieces(const Object& projectile, const Object& other, double fraction, double dt) {
+  constexpr double kSagitta = 0.01;  // of the projectile's radius
+  constexpr double kMost = 256;
+  const double turn = (1 - fraction) * (dt * other.state.angular_velocity + other.correction.rotation).norm();
+  if (other.kind == Kind::ground || turn == 0) return 1;
+  const double size = projectile.shape.radius, distance = other.shape.radius + size;
+  return static_cast<int>(std::clamp(std::ceil(turn * std::sqrt(distance / (8 * kSagitta * size))), 1.0, kMost));
+}
+
 }  // namespace
 
-/// Returns the touches of a projectile in uniform motion after a fraction of the substep, in order. Each other object
-/// is examined in its own frame, so its rotation counts.
+/// Adds the touches of a projectile in uniform motion after a fraction of the substep with one other object, which is
+/// examined in its own frame, so its rotation counts.
+void ContactWorld::Impl::add_touches(const Object& projectile, const Object& other, const Vec3& center,
+                                     const Vec3& velocity, double fraction, double dt, double slow,
+                                     std::vector<TouchAhead>& touches) const {
+  const double gap = -allowed_depth(projectile, other);
+  const Pose& present = other.state.pose;
+  const auto in_its_frame = [&](double at) {
+    return pose_after(other, at, dt).to_local(center + (at - fraction) * dt * velocity);
+  };
+  const int pieces = straight_pieces(projectile, other, fraction, dt);
+  for (int piece = 0; piece < pieces; ++piece) {
+    const double from = fraction + (1 - fraction) * piece / pieces,
+                 to = fraction + (1 - fraction) * (piece + 1) / pieces;
+    const Vec3 start = in_its_frame(from), end = in_its_frame(to);
+    const Sweep sweep{projectile, other, present.to_world(start), present.rotation * (end - start), gap};
+    if (sweep.displacement.norm() < slow / pieces) continue;
+    for_each_touch(sweep, ground_height, [&](const Touch& touch, std::size_t part) {
+      if (!comes_nearer(sweep.displacement, touch.normal)) return;  // overlaps, and leads out
+      const double touch_fraction = from + touch.fraction * (to - from);
+      const Quat turn = pose_after(other, touch_fraction, dt).rotation * present.rotation.conjugate();
+      touches.push_back({touch_fraction, &other, turn * touch.normal, part});
+    });
+  }
+}
+
+/// Returns the touches of a projectile in uniform motion after a fraction of the substep, in order.
 std::vector<ContactWorld::Impl::TouchAhead> ContactWorld::Impl::touches_ahead(const Object& projectile,
                                                                               const Vec3& center, const Vec3& velocity,
                                                                               double fraction, double dt,
@@ -260,18 +296,7 @@ std::vector<ContactWorld::Impl::TouchAhead> ContactWorld::Impl::touches_ahead(co
     if (&other == &projectile || !other.exists || !may_come_near(projectile, center, displacement, other, fraction, dt))
       continue;
     if (rule.stops && !rule.stops(ProxyId(&other - objects.data()))) continue;
-    const double gap = -allowed_depth(projectile, other);
-    const Pose& present = other.state.pose;
-    const Vec3 start = pose_after(other, fraction, dt).to_local(center);
-    const Vec3 end = pose_after(other, 1, dt).to_local(center + displacement);
-    const Sweep sweep{projectile, other, present.to_world(start), present.rotation * (end - start), gap};
-    if (sweep.displacement.norm() < rule.slow) continue;
-    for_each_touch(sweep, ground_height, [&](const Touch& touch, std::size_t part) {
-      if (!comes_nearer(sweep.displacement, touch.normal)) return;  // overlaps, and leads out
-      const double touch_fraction = fraction + touch.fraction * (1 - fraction);
-      const Quat turn = pose_after(other, touch_fraction, dt).rotation * present.rotation.conjugate();
-      touches.push_back({touch_fraction, &other, turn * touch.normal, part});
-    });
+    add_touches(projectile, other, center, velocity, fraction, dt, rule.slow, touches);
   }
   std::ranges::stable_sort(touches, {}, &TouchAhead::fraction);
   return touches;
