@@ -11,8 +11,6 @@
 namespace griffith::explicit_dynamics {
 namespace {
 
-WideQuad wide_vector(const Vec3& v) { return WideQuad{v[0], v[1], v[2], 0}; }
-
 /// Returns the projector onto the directions in which all of some edges may move.
 Mat3 allowed_to_all(const std::vector<ExplicitEdge>& edges, std::span<const int> tied) {
   constexpr double kNone = 1e-6;
@@ -33,8 +31,8 @@ bool are_free(const std::vector<ExplicitEdge>& edges, std::span<const int> tied)
 int ExplicitBodies::add_edge(const ExplicitEdgeStart& start) {
   edges_.push_back({.inverse_mass = 1 / start.mass, .acceleration = start.acceleration});
   constrain_edge(edge_count() - 1, start.allowed);
-  edge_offsets_.push_back({wide_vector(start.offset)});
-  edge_velocities_.push_back({wide_vector(start.velocity)});
+  edge_offsets_.push_back({wide(start.offset)});
+  edge_velocities_.push_back({wide(start.velocity)});
   return edge_count() - 1;
 }
 
@@ -111,7 +109,7 @@ double ExplicitBodies::move_alike(std::span<const int> tied) {
   for (const int edge : tied) {
     const Vec3 before = edge_velocity(edge);
     lost += 0.5 / edges_[edge].inverse_mass * (before - common).dot(before + common);
-    edge_velocities_[edge].value = wide_vector(common);
+    edge_velocities_[edge].value = wide(common);
   }
   return lost;
 }
@@ -122,10 +120,10 @@ std::span<const int> ExplicitBodies::tied_to(const int& edge) const {
 
 Vec3 ExplicitBodies::edge_force(int index) const {
   const ExplicitEdge& edge = edges_[index];
-  Vec3 force = edge.acceleration / edge.inverse_mass;
+  WideQuad force = wide(edge.acceleration / edge.inverse_mass);
   for (int e = edge.first; e < edge.first + edge.count; ++e)
-    for (int i = 0; i < 3; ++i) force[i] += edge_forces_[edge_stars_[e]].value[i];
-  return force;
+    force += __builtin_convertvector(edge_forces_[edge_stars_[e]].value, WideQuad);
+  return vector(force);
 }
 
 /// Returns the acceleration of edges that move alike, where supports let all of them move [m/s²].
@@ -140,23 +138,25 @@ Vec3 ExplicitBodies::common_acceleration(std::span<const int> tied) const {
 Vec3 ExplicitBodies::edge_acceleration(int index) const { return common_acceleration(tied_to(index)); }
 
 void ExplicitBodies::advance_edges(double kick, double drift) {
-  std::vector<Vec3> of_ties;
-  for (const std::vector<int>& tied : ties_) of_ties.push_back(common_acceleration(tied));
+  std::vector<WideQuad> of_ties;
+  for (const std::vector<int>& tied : ties_) of_ties.push_back(wide(kick * common_acceleration(tied)));
   for (int i = 0; i < edge_count(); ++i) {
     const ExplicitEdge& edge = edges_[i];
-    Quad sum = {};
-    for (int e = edge.first; e < edge.first + edge.count; ++e) sum += edge_forces_[edge_stars_[e]].value;
-    const WideQuad force = __builtin_convertvector(sum, WideQuad);
-    WideQuad push = kick * (edge.inverse_mass * force + wide_vector(edge.acceleration));
-    if (edge.tie >= 0) {
-      push = wide_vector(kick * of_ties[edge.tie]);
-    } else if (!edge.is_free) {
-      push = wide_vector(edge.allowed * Vec3(push[0], push[1], push[2]));
-    }
-    push[3] = 0;
-    edge_velocities_[i].value += push;
-    edge_offsets_[i].value += drift * edge_velocities_[i].value;
+    WideQuad& velocity = edge_velocities_[i].value;
+    velocity += edge.tie >= 0 ? of_ties[edge.tie] : kick_of(edge, kick);
+    edge_offsets_[i].value += drift * velocity;
   }
+}
+
+/// Returns by how much the forces on an edge that moves by itself change its velocity in the time `kick` [s] [m/s].
+WideQuad ExplicitBodies::kick_of(const ExplicitEdge& edge, double kick) const {
+  Quad sum = {};
+  for (int e = edge.first; e < edge.first + edge.count; ++e) sum += edge_forces_[edge_stars_[e]].value;
+  const WideQuad force = __builtin_convertvector(sum, WideQuad);
+  WideQuad push = kick * (edge.inverse_mass * force + wide(edge.acceleration));
+  if (!edge.is_free) push = wide(edge.allowed * vector(push));
+  push[3] = 0;
+  return push;
 }
 
 }  // namespace griffith::explicit_dynamics

@@ -20,11 +20,10 @@ void ExplicitBodies::stop_viscosity() {
 }
 
 Vec3 ExplicitBodies::acceleration(int index) const {
-  Vec3 force = Vec3::Zero();
-  for (const int entry : star(index))
-    for (int i = 0; i < 3; ++i) force[i] += forces_[entry].value[i];
+  WideQuad force = {};
+  for (const int entry : star(index)) force += __builtin_convertvector(forces_[entry].value, WideQuad);
   const ExplicitNode& moved = nodes_[index];
-  const Vec3 free = moved.inverse_mass * force + external_acceleration(index);
+  const Vec3 free = moved.inverse_mass * vector(force) + external_acceleration(index);
   return moved.constraint < 0 ? free : constraints_[moved.constraint].constraint.allowed * free;
 }
 

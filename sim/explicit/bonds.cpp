@@ -14,19 +14,31 @@ int opened_parts(const Bond& bond) {
 
 }  // namespace
 
-/// Lists the bonds that hold, those between the same nodes in sequence.
+/// Lists the bonds that hold, those between the same nodes together.
 void MicrostepContacts::list_bonds(const ExplicitBodies& bodies) {
-  bonds_.clear();
+  struct Corner : CornerOfCrack {
+    std::pair<int, int> nodes;
+  };
+  std::vector<Corner> corners;
   for (int index = 0; index < crack_count(); ++index) {
     const CrackSides& crack = cracks_[index].sides;
-    for (int i = 0; i < 3; ++i) {
-      if (!crack.bonds[i].holds()) continue;
-      const int first = bodies.corner(crack.first_slot, crack.first_corners[i]),
-                second = bodies.corner(crack.second_slot, crack.second_corners[i]);
-      bonds_.push_back({std::min(first, second), std::max(first, second), index, i});
-    }
+    for (int i = 0; i < 3; ++i)
+      if (crack.bonds[i].holds())
+        corners.push_back({{index, i},
+                           std::minmax({bodies.corner(crack.first_slot, crack.first_corners[i]),
+                                        bodies.corner(crack.second_slot, crack.second_corners[i])})});
   }
-  std::ranges::stable_sort(bonds_, {}, [](const BondedCorner& bond) { return std::pair(bond.first, bond.second); });
+  std::ranges::stable_sort(corners, {}, &Corner::nodes);
+  bonds_.clear(), bonded_corners_.clear();
+  for (const Corner& corner : corners) {
+    const auto [first, second] = corner.nodes;
+    if (bonds_.empty() || bonds_.back().first != first || bonds_.back().second != second)
+      bonds_.push_back({first, second, static_cast<int>(bonded_corners_.size()), 0, bond_at(corner)});
+    else
+      bonds_.back().whole.force += bond_at(corner).force;
+    bonded_corners_.push_back(corner);
+    ++bonds_.back().count;
+  }
   lists_bonds_ = true;
 }
 
@@ -58,31 +70,33 @@ void MicrostepContacts::tie_edges(ExplicitBodies& bodies) {
 void MicrostepContacts::hold_cracks(ExplicitBodies& bodies, double dt) {
   if (!lists_bonds_) list_bonds(bodies);
   have_bonds_opened_ = false;
-  const auto bond_at = [&](const BondedCorner& at) -> Bond& { return cracks_[at.crack].sides.bonds[at.corner]; };
-  for (auto first = bonds_.begin(); first != bonds_.end();) {
-    const auto last = std::find_if(first, bonds_.end(), [&](const BondedCorner& other) {
-      return other.first != first->first || other.second != first->second;
-    });
-    Bond whole = bond_at(*first);
-    for (auto other = first + 1; other != last; ++other) whole.force += bond_at(*other).force;
-    const int parts_before = opened_parts(whole);
-    hold(bodies, first->first, first->second, whole, dt);
-    have_bonds_opened_ |= opened_parts(whole) > parts_before;
-    for (; first != last; ++first) {
-      bond_at(*first).opening = whole.opening;
-      if (!whole.holds()) bond_at(*first) = {};
+  bool any_broken = false;
+  for (BondedNodes& bond : bonds_) {
+    const Vec3 between = bodies.position(bond.second) - bodies.position(bond.first);
+    const double opening = between.norm();
+    if (opening <= bond.whole.opening) continue;
+    const int parts_before = opened_parts(bond.whole);
+    hold(bodies, bond, between / opening, opening, dt);
+    have_bonds_opened_ |= opened_parts(bond.whole) > parts_before;
+    any_broken |= !bond.whole.holds();
+    for (const CornerOfCrack& corner : std::span(bonded_corners_).subspan(bond.first_corner, bond.count)) {
+      if (bond.whole.holds())
+        bond_at(corner).opening = bond.whole.opening;
+      else
+        bond_at(corner) = {};
     }
   }
-  if (std::erase_if(bonds_, [&](const BondedCorner& at) { return !bond_at(at).holds(); }) > 0) tie_edges(bodies);
+  if (!any_broken) return;
+  std::erase_if(bonds_, [](const BondedNodes& bond) { return !bond.whole.holds(); });
+  tie_edges(bodies);
 }
 
 /// The impulse belongs to the forces before the last motion, part of which it takes back. The bond takes the energy of
 /// its law; what the microstep's impulse takes more or less is a loss like that of contacts.
-void MicrostepContacts::hold(ExplicitBodies& bodies, int first, int second, Bond& bond, double dt) {
-  const Vec3 between = bodies.position(second) - bodies.position(first);
-  const double opening = between.norm();
-  if (opening <= bond.opening) return;
-  const Vec3 direction = between / opening;
+void MicrostepContacts::hold(ExplicitBodies& bodies, BondedNodes& bonded, const Vec3& direction, double opening,
+                             double dt) {
+  const auto [first, second] = std::pair(bonded.first, bonded.second);
+  Bond& bond = bonded.whole;
   const double mobility = bodies.mobility(first, direction) + bodies.mobility(second, direction);
   if (mobility == 0) return;
   const double energy = bond.energy_left();

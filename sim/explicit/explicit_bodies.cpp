@@ -24,8 +24,6 @@ constexpr double kDampingRatio = 0.12;
 /// Elements that would keep a smaller fraction of their stiffness are so flat that they exert no force.
 constexpr double kMinFraction = 0.25;
 
-WideQuad wide(const Vec3& v) { return WideQuad{v[0], v[1], v[2], 0}; }
-
 /// Leaves an element a fraction of its stiffness.
 void relieve(ElementBlock& block, std::size_t lane, double fraction) {
   block.stiffness[lane] = fraction > kMinFraction ? static_cast<float>(fraction) : 0;

@@ -187,15 +187,11 @@ class ExplicitBodies {
   /// Changes a node's velocity by an impulse [N·s]. Supports take the blocked components.
   void push(int node, const Vec3& impulse);
   /// Moves a node [m], for an impulse that belongs before its last motion.
-  void shift(int node, const Vec3& displacement) {
-    displacements_[node].value += WideQuad{displacement[0], displacement[1], displacement[2], 0};
-  }
+  void shift(int node, const Vec3& displacement) { displacements_[node].value += wide(displacement); }
   /// Adds to an edge's lasting acceleration by external forces [m/s²].
   void accelerate_edge(int edge, const Vec3& change) { edges_[edge].acceleration += change; }
   /// Adds to a node's lasting acceleration by external forces [m/s²].
-  void accelerate(int node, const Vec3& change) {
-    accelerations_[node].value += WideQuad{change[0], change[1], change[2], 0};
-  }
+  void accelerate(int node, const Vec3& change) { accelerations_[node].value += wide(change); }
   /// Returns the displacement in `time` [s] by the velocity change of an impulse [N·s], in the directions that supports
   /// leave free [m].
   Vec3 displacement_by(int node, const Vec3& impulse, double time) const;
@@ -230,10 +226,12 @@ class ExplicitBodies {
     Quad value = {};
   };
   static Vec3 vector(const WideQuad& q) { return {q[0], q[1], q[2]}; }
+  static WideQuad wide(const Vec3& v) { return WideQuad{v[0], v[1], v[2], 0}; }
 
   void follow_step();
   void advance_nodes(double kick, double drift, std::vector<int>& flagged);
   void advance_edges(double kick, double drift);
+  WideQuad kick_of(const ExplicitEdge& edge, double kick) const;
   void hold(int constraint, double drift);
   void relieve_slivers(const ElasticLaw& law, double density, std::span<const RestElement> rest_elements, double limit,
                        ExplicitBody& body);

@@ -24,9 +24,9 @@ constexpr double kMicrostepsOfCandidates = 24;
 /// sorting does not pay.
 constexpr double kGridEdge = 0.5;
 constexpr std::size_t kFewPlaces = 64;
-/// Work of a candidate in a microstep, half of them being too far away to be examined, of a touch, and of a bonded face
-/// [µs].
-constexpr double kCandidateWork = 0.012, kTouchWork = 0.3, kBondWork = 0.01;
+/// Work of a candidate in a microstep, half of them being too far away to be examined, of a touch, and of two bonded
+/// nodes [µs].
+constexpr double kCandidateWork = 0.012, kTouchWork = 0.3, kBondWork = 0.02;
 
 /// Returns the undeformed height of the tet behind a side over it [m].
 double height_behind(const ExplicitBodies& bodies, const SurfaceSide& side) {

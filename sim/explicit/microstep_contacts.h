@@ -173,9 +173,14 @@ class MicrostepContacts {
   struct WatchedCrack : Watched {
     CrackSides sides;
   };
-  /// Corner of a crack with a bond, and its nodes on both sides.
-  struct BondedCorner {
-    int first = 0, second = 0, crack = 0, corner = 0;
+  struct CornerOfCrack {
+    int crack = 0, corner = 0;
+  };
+  /// Two nodes that bonds hold together, and these bonds.
+  struct BondedNodes {
+    int first = 0, second = 0;
+    int first_corner = 0, count = 0;  ///< range in bonded_corners_
+    Bond whole;                       ///< all of them as one
   };
   /// Effect of impulses on a node in the last microstep.
   struct Pushed {
@@ -245,7 +250,8 @@ class MicrostepContacts {
   bool stop_at_ground(ExplicitBodies& bodies, double dt);
   void list_bonds(const ExplicitBodies& bodies);
   void hold_cracks(ExplicitBodies& bodies, double dt);
-  void hold(ExplicitBodies& bodies, int first, int second, Bond& bond, double dt);
+  Bond& bond_at(const CornerOfCrack& at) { return cracks_[at.crack].sides.bonds[at.corner]; }
+  void hold(ExplicitBodies& bodies, BondedNodes& bonded, const Vec3& direction, double opening, double dt);
   void close_cracks(ExplicitBodies& bodies);
   void push_apart(ExplicitBodies& bodies, const NodesOfSides& sides, const Vec3& normal, const Vec3& weights);
   Pushed& pushed(const ExplicitBodies& bodies, int node);
@@ -270,8 +276,9 @@ class MicrostepContacts {
   std::vector<int> order_;  ///< order of touches, the deepest first
   std::vector<RecordedImpact> recorded_impacts_;
   std::vector<Pushed> pushed_;
-  std::vector<int> pushed_at_;       ///< per node: index into pushed_, or -1
-  std::vector<BondedCorner> bonds_;  ///< by nodes, as far as `lists_bonds_`
+  std::vector<int> pushed_at_;                 ///< per node: index into pushed_, or -1
+  std::vector<BondedNodes> bonds_;             ///< those that hold, as far as `lists_bonds_`
+  std::vector<CornerOfCrack> bonded_corners_;  ///< corners of the bonds, also of those that have broken since
   bool lists_bonds_ = false;
   bool have_bonds_opened_ = false;
   double lost_ = 0, fractured_ = 0, work_ = 0;
