@@ -12,7 +12,7 @@
 namespace griffith::app {
 namespace {
 
-constexpr int kSteps = 3;
+constexpr int kSteps = 6;
 constexpr float kAspect = static_cast<float>(Drawer::kWidth) / Drawer::kHeight;
 
 }  // namespace

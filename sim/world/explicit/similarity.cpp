@@ -22,8 +22,7 @@
 namespace griffith {
 namespace {
 
-/// Number of times that waves would cross the whole body after the last event. Its pieces are followed for the same
-/// time, since cracks take about that long.
+/// Number of times that waves would cross a piece after its last event.
 constexpr double kTransits = 4;
 /// Factors down to which bodies are scaled: to the first at unchanged breaking speeds, to the second if a step would
 /// exceed its ceiling.
@@ -131,12 +130,15 @@ Demand demand_of(const WorldState& world, double left) {
   return demand;
 }
 
-/// Returns the length of the next substep of a step with `left` [s] to go, without a limit of its work [s].
+/// Returns the length of the next substep of a step with `left` [s] to go, without a limit of its work [s]: until its
+/// waves are over, but at least as much work as all earlier microsteps of this step or as those of the last one, so
+/// that continuing impacts do not divide the step into many substeps.
 double unlimited_substep(const WorldState& world, double left) {
   constexpr double kShortest = 1.0 / 16;  // of a time step
   const double time_step = world.model->scene.simulation.time_step, work = demand_of(world, left).work();
-  const double as_last_step = work > 0 ? left * world.last_microstep_work / work : 0;
-  return std::min(left, std::max({kShortest * time_step, time_step - left, time_to_follow(world), as_last_step}));
+  const double earlier_work = std::max(world.last_microstep_work, world.scratch.microstep_work);
+  const double as_before = work > 0 ? left * earlier_work / work : 0;
+  return std::min(left, std::max({kShortest * time_step, time_to_follow(world), as_before}));
 }
 
 /// Returns the largest work of a step's microsteps [µs of a typical core]. Quadratic bodies cannot be scaled, so they
@@ -180,7 +182,7 @@ double element_transit_time(const WorldState& world, const Body& body) {
 }
 
 double explicit_window(const WorldState& world, const Body& body) {
-  return kTransits * world.model->extents[body.scene_body] / slowed_wave_speed(world, body);
+  return kTransits * body.extent / slowed_wave_speed(world, body);
 }
 
 double impact_window(const WorldState& world, const Body& body) {

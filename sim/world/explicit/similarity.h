@@ -36,12 +36,11 @@ inline constexpr double kMicrostepWork = 0.03;
 /// Work of a microstep of a quadratic tet relative to a linear one [-].
 inline constexpr double kQuadraticWork = 3;
 
-/// Returns the time for which waves are followed after the last impact or crack: that of several crossings of the whole
-/// scene body [s].
+/// Returns the time for which waves are followed after the last impact or crack of a body, which may be a piece: that
+/// of several crossings [s].
 double explicit_window(const WorldState& world, const Body& body);
 
-/// Returns the same for an impact that is examined or followed by itself, under the full stiffness: that of as many
-/// crossings of the body, which may be a piece [s].
+/// Returns the same for an impact that is examined or followed by itself, under the full stiffness [s].
 double impact_window(const WorldState& world, const Body& body);
 
 /// Returns the time until the waves of all bodies in explicit dynamics have been followed, without new events; 0
