@@ -84,8 +84,10 @@ void cancel_explicit(WorldState& world) {
     if (!body.explicit_state) continue;
     end_explicit(world, body);
     ++world.report.unfinished_explicit;
-    if (!body.supported()) stop_vibration(world, body);
   }
+  part_at_torn_bonds(world);
+  for (Body& body : world.bodies)
+    if (body.explicit_ended == world.time && body.is_deformable() && !body.supported()) stop_vibration(world, body);
   part_at_bonds(world);
 }
 

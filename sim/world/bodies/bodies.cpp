@@ -162,10 +162,12 @@ std::optional<Pivot> pivot_of(const WorldState& world, const Body& body) {
   return pivot_of(body.system->supports(), world.nodes.constraints, world.nodes.positions);
 }
 
-RigidMotion motion_of(const WorldState& world, const Body& body) {
-  return rigid_motion(gather(world.nodes.positions, body.nodes), gather(world.nodes.velocities, body.nodes),
-                      gather(world.nodes.masses, body.nodes));
+RigidMotion motion_of(const WorldState& world, const std::vector<NodeId>& nodes) {
+  return rigid_motion(gather(world.nodes.positions, nodes), gather(world.nodes.velocities, nodes),
+                      gather(world.nodes.masses, nodes));
 }
+
+RigidMotion motion_of(const WorldState& world, const Body& body) { return motion_of(world, body.nodes); }
 
 Placement placement_of(const WorldState& world, std::span<const NodeId> nodes) {
   return best_placement(world.mesh->rest_positions, world.nodes.positions, world.nodes.masses, nodes);

@@ -43,6 +43,8 @@ void follow_deformation(WorldState& world, Body& body);
 void add_proxies(WorldState& world, std::span<Body> bodies);
 /// Returns the rigid motion with the momentum of a body's nodes.
 RigidMotion motion_of(const WorldState& world, const Body& body);
+/// Returns that of some nodes, which must not all lie on one line.
+RigidMotion motion_of(const WorldState& world, const std::vector<NodeId>& nodes);
 /// Returns the place and axes about which its supports let a body turn, none where they hold it more firmly.
 std::optional<Pivot> pivot_of(const WorldState& world, const Body& body);
 /// Takes mass, momentum and orientation of a body from its nodes.
