@@ -81,8 +81,10 @@ void select_node(ui::EditorState& state, const Frame& frame, NodeId node) {
 void select_most_loaded(ui::EditorState& state, const Frame& frame) {
   const NodeId node = most_loaded_node(frame);
   if (node.valid()) return select_node(state, frame, node);
-  log_message(state, ui::LogLevel::warning, std::string("No node carries a load: ") + ui::kNothingStrained,
-              ui::LogSpan::state);
+  const std::string reason = std::string("No node carries a load: ") + ui::kNothingStrained;
+  if (frame.crack_events.empty()) return log_message(state, ui::LogLevel::warning, reason, ui::LogSpan::state);
+  select_node(state, frame, frame.crack_events.back().node);
+  log_message(state, ui::LogLevel::info, reason + " The node of the last crack is selected.", ui::LogSpan::state);
 }
 
 }  // namespace griffith::app

@@ -21,7 +21,8 @@ double seen_distance(const ShownMesh& shown, TetId tet, const render::Ray& ray);
 void select(ui::EditorState& state, const Frame& frame, const ui::Selection& selection);
 /// Selects a node to be explained; does nothing if it does not exist.
 void select_node(ui::EditorState& state, const Frame& frame, NodeId node);
-/// Selects the node with the highest utilization; a message if no node carries a load.
+/// Selects the node with the highest utilization. If no node carries a load, logs that and selects the node of the last
+/// crack, if there is one.
 void select_most_loaded(ui::EditorState& state, const Frame& frame);
 
 }  // namespace griffith::app

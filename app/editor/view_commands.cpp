@@ -137,7 +137,7 @@ const EditorCommand kViewCommands[] = {
      [](Editor& e, const ui::Command&) { e.viewport().toggle_slice(e.run().frame()); }},
     {{.name = "view.select_most_loaded",
       .label = "Most loaded node",
-      .hint = "Inspect the node with the highest utilization",
+      .hint = "Inspect the node with the highest utilization, or that of the last crack if all pieces are rigid",
       .menu = Menu::view,
       .shortcut = {'M'}},
      [](Editor& e, const ui::Command&) { select_most_loaded(e.state(), e.run().frame()); }},

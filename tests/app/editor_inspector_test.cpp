@@ -36,6 +36,17 @@ TEST_F(EditorTest, TheOutlinerShowsTheBodyOfTheNodeThatIsExplained) {
   EXPECT_EQ(editor_.state().selected_body, 2);
 }
 
+TEST_F(EditorTest, OfRigidPiecesTheMostLoadedNodeIsThatOfTheLastCrack) {
+  const auto frame = [this] { return editor_.run().frame(); };
+  const auto is_rigid_debris = [&] { return !frame().crack_events.empty() && !most_loaded_node(frame()).valid(); };
+  for (int step = 0; step < 200 && !is_rigid_debris(); ++step) editor_.run().step();
+  ASSERT_TRUE(is_rigid_debris());
+  editor_.execute({.name = "view.select_most_loaded"});
+  EXPECT_EQ(editor_.state().selection.node, frame().crack_events.back().node);
+  draw();
+  EXPECT_NE(value("inspector/verdict").find("Broke"), std::string::npos) << value("inspector/verdict");
+}
+
 /// A wall under fire none of whose pieces becomes rigid.
 class ElasticPiecesTest : public EditorTest {
  protected:
