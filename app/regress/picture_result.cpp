@@ -116,14 +116,28 @@ std::string scene_sentence(const std::vector<Row>& scene) {
          (scene.size() == 1 ? "" : "first ") + first.name + ": " + text(first.golden) + ", now " + text(first.actual);
 }
 
+/// Returns what the job asks for that differs from the golden picture: "frame: 3, now 4"; empty if nothing does.
+std::string job_changes(const std::vector<Row>& metadata) {
+  std::string changes;
+  for (const char* name : {"frame", "view", "camera"}) {
+    const auto row = std::ranges::find(metadata, name, &Row::name);
+    if (row == metadata.end() || row->golden == row->actual) continue;
+    changes += (changes.empty() ? "" : "; ") + row->name + ": " + row->golden.value_or("none") + ", now " +
+               row->actual.value_or("none");
+  }
+  return changes;
+}
+
 std::string reason_of(const PictureResult& result) {
   std::string reason;
   const auto add = [&](const std::string& sentence) { reason += (reason.empty() ? "" : " ") + sentence + "."; };
-  if (result.simulation_changed.value_or(false)) add("The simulation changed: the hash of its state differs");
-  if (!result.image.passed && result.simulation_changed == std::optional(false))
+  const std::string job = job_changes(result.metadata);
+  const bool simulation_changed = result.simulation_changed.value_or(false), same_job = job.empty();
+  if (!same_job) add("The golden picture is of another job, " + job);
+  if (simulation_changed && same_job) add("The simulation changed: the hash of its state differs");
+  if (!result.image.passed && same_job && result.simulation_changed == std::optional(false))
     add("The simulation is identical; the drawing changed");
-  if (result.scene && (!result.scene->empty() || result.simulation_changed.value_or(false)))
-    add(scene_sentence(*result.scene));
+  if (result.scene && (!result.scene->empty() || (simulation_changed && same_job))) add(scene_sentence(*result.scene));
   add("Picture: " + result.image.reason);
   if (!result.ids.passed) add("Ids: " + result.ids.reason);
   const auto changed = std::ranges::count_if(result.text, [](const DiffLine& line) {

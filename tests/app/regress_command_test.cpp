@@ -60,6 +60,22 @@ TEST_F(RegressCommand, WhatWasAcceptedPassesAndWhatWasNotDoesNot) {
   EXPECT_EQ(regress("").code, 1);
 }
 
+TEST_F(RegressCommand, AnotherStepThanThatOfTheGoldenPictureIsReported) {
+  const auto draw_step = [this](int step) {
+    std::ofstream(suite_ / "suite.json") << R"({"defaults": {"size": [160, 100]}, "pictures": [
+        {"name": "wall", "scene": "wall.json", "frames": )"
+                                         << step << "}]}";
+  };
+  draw_step(3);
+  accept_all();
+  draw_step(4);
+  const Outcome later = regress("");
+  EXPECT_EQ(later.code, 1);
+  EXPECT_NE(later.output.find("The golden picture is of another job, frame: 3, now 4."), std::string::npos)
+      << later.output;
+  EXPECT_EQ(later.output.find("The simulation changed"), std::string::npos) << later.output;
+}
+
 TEST_F(RegressCommand, AChangedSimulationIsDistinguishedFromAChangedDrawing) {
   accept_all();
   Scene scene = small_wall();
