@@ -13,6 +13,7 @@ TEST(Units, ValuesReadLikeEngineersWriteThem) {
   EXPECT_EQ(format_quantity(15e9, "Pa"), "15 GPa");
   EXPECT_EQ(format_quantity(2.5e6, "Pa"), "2.5 MPa");
   EXPECT_EQ(format_quantity(0.2, "m"), "200 mm");
+  EXPECT_EQ(format_quantity(0.139, "m", 2), "139 mm") << "no exponent, whatever number of digits";
   EXPECT_EQ(format_quantity(1900, "kg/m³"), "1900 kg/m³");
   EXPECT_EQ(format_quantity(7e5, "Pa·√m"), "700 kPa·√m");
   EXPECT_EQ(format_quantity(0.18, ""), "0.18");

@@ -1,5 +1,6 @@
 #include "ui/model/units.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -52,8 +53,8 @@ SiPrefix si_prefix(double value, std::string_view unit) {
 std::string format_number(double value, const SiPrefix& prefix, int digits) {
   std::array<char, 64> number;
   const double scaled = value / prefix.factor;
-  // From 1000 on %g would write an exponent if there are few digits.
-  if (std::abs(scaled) >= 1000 && std::abs(scaled) < 1e6) {
+  // Where there are more digits before the point than asked for, %g would write an exponent.
+  if (std::abs(scaled) >= std::min(1000.0, std::pow(10, digits)) && std::abs(scaled) < 1e6) {
     std::snprintf(number.data(), number.size(), "%.0f", scaled);
   } else {
     std::snprintf(number.data(), number.size(), "%.*g", digits, scaled);

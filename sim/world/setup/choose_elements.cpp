@@ -19,7 +19,8 @@ ElementChoice choose_elements(const Scene& scene, int scene_body, const TetMesh&
   const BodyDescription& body = scene.bodies[scene_body];
   if (body.elements != ElementOrder::automatic) return {body.elements, false, 0, {}};
   ElementChoice choice{ElementOrder::linear, true, layers_across(mesh), {}};
-  choice.reason = std::to_string(choice.layers) + (choice.layers == 1 ? " lies" : " lie") + " across its thinnest part";
+  choice.reason = std::to_string(choice.layers) + (choice.layers == 1 ? " element lies" : " elements lie") +
+                  " across its thinnest part";
   if (choice.layers >= kEnough) return choice;
   if (const double length = slenderness(mesh); length < kSlender) {
     choice.reason = "its length is only " + rounded_text(length, 2) + " times its mean thickness";

@@ -23,12 +23,12 @@ TEST(AutomaticElements, AreQuadraticWhereFewLieAcross) {
   const auto nothing = [](BodyDescription&) {};
   const ElementChoice pane = choice_of(Vec3(1, 1, 0.02), Vec3(0.1, 0.1, 0.02), nothing);
   EXPECT_EQ(pane.order, ElementOrder::quadratic);
-  EXPECT_EQ(text_of(pane), "quadratic, since 1 lies across its thinnest part");
+  EXPECT_EQ(text_of(pane), "quadratic, since 1 element lies across its thinnest part");
   const ElementChoice two = choice_of(Vec3(1, 1, 0.1), Vec3(0.05, 0.05, 0.05), nothing);
   EXPECT_EQ(two.order, ElementOrder::quadratic);
   EXPECT_EQ(two.layers, 2);
   const ElementChoice cube = choice_of(Vec3(1, 1, 1), Vec3::Constant(0.25), nothing);
-  EXPECT_EQ(text_of(cube), "linear, since 4 lie across its thinnest part");
+  EXPECT_EQ(text_of(cube), "linear, since 4 elements lie across its thinnest part");
   const ElementChoice remeshed =
       choice_of(Vec3(1, 1, 0.02), Vec3(0.1, 0.1, 0.02), [](BodyDescription& body) { body.remeshing = true; });
   EXPECT_EQ(remeshed.order, ElementOrder::quadratic);
