@@ -10,7 +10,6 @@
 #include "sim/world/explicit/similarity.h"
 #include "sim/world/fracture/separation_phase.h"
 #include "sim/world/motion/elastic_phase.h"
-#include "sim/world/regime/part_at_bonds.h"
 #include "sim/world/regime/regime_change.h"
 #include "sim/world/state/world_state.h"
 
@@ -69,19 +68,13 @@ bool run_explicit(WorldState& world, std::vector<explicit_dynamics::Obstacle> ob
 
 void end_explicit_if_quiet(WorldState& world) {
   constexpr double kRounding = 1e-9;
-  bool any_ended = false;
+  const std::vector<bool> strained = strained_bodies(world, world.time);
   for (Body& body : world.bodies) {
     if (!body.explicit_state) continue;
     const double window = explicit_window(world, body);
     if (world.time - body.explicit_state->last_event < (1 - kRounding) * window) continue;
     end_explicit(world, body);
-    any_ended = true;
-  }
-  if (!any_ended) return;
-  part_at_torn_bonds(world);
-  const std::vector<bool> strained = strained_bodies(world, world.time);
-  for (Body& body : world.bodies) {
-    if (body.explicit_ended != world.time || !body.is_deformable() || body.supported()) continue;
+    if (body.supported()) continue;
     if (body.bonded) {
       stop_vibration(world, body);  // its bonds hold, but do not act in implicit steps
     } else if (!strained[body.id]) {
