@@ -215,11 +215,14 @@ double least_plane_area(const TetMesh& mesh, NodeId node) {
 std::vector<Vec3> relative_forces(const TetMesh& mesh, NodeId node, std::span<const Vec3> forces) {
   const std::vector<TetId>& star = mesh.stars[node];
   Vec3 total = Vec3::Zero();
+  std::vector<double> volumes;
   double volume = 0;
-  for (std::size_t i = 0; i < star.size(); ++i) total += forces[i], volume += rest_volume(mesh, star[i]);
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    total += forces[i];
+    volume += volumes.emplace_back(rest_volume(mesh, star[i]));
+  }
   std::vector<Vec3> relative;
-  for (std::size_t i = 0; i < star.size(); ++i)
-    relative.push_back(forces[i] - rest_volume(mesh, star[i]) / volume * total);
+  for (std::size_t i = 0; i < star.size(); ++i) relative.push_back(forces[i] - volumes[i] / volume * total);
   return relative;
 }
 

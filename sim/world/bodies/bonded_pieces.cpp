@@ -12,13 +12,8 @@
 namespace griffith {
 namespace {
 
-/// Returns the part of each tet of a body, in the order of its tets.
-std::vector<int> part_of_tets(const Body& body, const std::vector<std::vector<TetId>>& parts) {
-  std::vector<int> part_of(body.tets.size());
-  for (std::size_t part = 0; part < parts.size(); ++part)
-    for (const TetId tet : parts[part])
-      part_of[std::ranges::lower_bound(body.tets, tet) - body.tets.begin()] = static_cast<int>(part);
-  return part_of;
+std::ptrdiff_t index_in(const Body& body, TetId tet) {
+  return std::ranges::lower_bound(body.tets, tet) - body.tets.begin();
 }
 
 /// Returns the fraction of the energy of an opened face that its bonds have not taken yet; corners at a front have all
@@ -43,6 +38,14 @@ bool is_held_by_bonds(const WorldState& world, const Body& body) {
 
 bool still_holds(const CohesiveFace& face) { return std::ranges::any_of(face.bonds, &Bond::holds); }
 
+ConnectedParts::ConnectedParts(const WorldState& world, const Body& body)
+    : body_(body), tets_(connected_components(world.mesh, body.tets)), part_of_(body.tets.size()) {
+  for (std::size_t part = 1; part < tets_.size(); ++part)  // 0 as it is
+    for (const TetId tet : tets_[part]) part_of_[index_in(body, tet)] = static_cast<int>(part);
+}
+
+int ConnectedParts::of(TetId tet) const { return part_of_[index_in(body_, tet)]; }
+
 BondedPieces::BondedPieces(const WorldState& world) : world_(world) {
   if (world.cohesive_faces.empty()) return;
   faces_.resize(world.bodies.size());
@@ -51,14 +54,13 @@ BondedPieces::BondedPieces(const WorldState& world) : world_(world) {
 }
 
 std::vector<std::vector<TetId>> BondedPieces::of(const Body& body) const {
-  const std::vector<std::vector<TetId>> parts = connected_components(world_.mesh, body.tets);
+  const ConnectedParts connected(world_, body);
+  const std::vector<std::vector<TetId>>& parts = connected.tets();
   if (parts.size() == 1 || faces_.empty()) return parts;
-  const std::vector<int> part_of = part_of_tets(body, parts);
-  const auto part_at = [&](TetId tet) { return part_of[std::ranges::lower_bound(body.tets, tet) - body.tets.begin()]; };
   std::vector<std::pair<int, int>> bonded;
   for (const CohesiveFace* known : faces_[body.id.index()])
     if (world_.elements.bodies[known->face.second] == body.id)
-      bonded.emplace_back(part_at(known->face.first), part_at(known->face.second));
+      bonded.emplace_back(connected.of(known->face.first), connected.of(known->face.second));
   const std::vector<int> groups = connected_groups(static_cast<int>(parts.size()), bonded);
   std::vector<std::vector<TetId>> pieces(parts.size());
   for (std::size_t part = 0; part < parts.size(); ++part)

@@ -11,6 +11,23 @@ namespace griffith {
 struct Body;
 struct WorldState;
 
+/// Parts of a body that faces connect.
+class ConnectedParts {
+ public:
+  /// The body must outlive this and keep its tets.
+  ConnectedParts(const WorldState& world, const Body& body);
+
+  /// Returns the tets of each part, ascending.
+  const std::vector<std::vector<TetId>>& tets() const { return tets_; }
+  /// Returns the part of a tet of the body.
+  int of(TetId tet) const;
+
+ private:
+  const Body& body_;
+  std::vector<std::vector<TetId>> tets_;
+  std::vector<int> part_of_;  ///< in the order of the body's tets
+};
+
 /// Pieces of bodies that faces or holding bonds connect.
 class BondedPieces {
  public:

@@ -1,16 +1,15 @@
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <utility>
 
 #include "sim/core/parallel.h"
-#include "sim/fracture/fracture_law.h"
 #include "sim/geometry/face_key.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/bodies/effective_law.h"
 #include "sim/world/bodies/quadratic_states.h"
 #include "sim/world/explicit/explicit_run.h"
+#include "sim/world/explicit/screening.h"
 #include "sim/world/explicit/similarity.h"
 #include "sim/world/fracture/separation_phase.h"
 #include "sim/world/state/element_states.h"

@@ -12,7 +12,6 @@
 #include "sim/explicit/microstep_contacts.h"
 #include "sim/world/conditions/loads.h"
 #include "sim/world/explicit/restored_bonds.h"
-#include "sim/world/explicit/screening.h"
 #include "sim/world/fracture/fracture_phase.h"
 
 namespace griffith {

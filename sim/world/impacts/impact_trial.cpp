@@ -15,6 +15,7 @@
 #include "sim/world/explicit/explicit_obstacles.h"
 #include "sim/world/explicit/explicit_run.h"
 #include "sim/world/explicit/restored_bonds.h"
+#include "sim/world/explicit/screening.h"
 #include "sim/world/explicit/similarity.h"
 #include "sim/world/fracture/separation_phase.h"
 #include "sim/world/impacts/trial_loads.h"

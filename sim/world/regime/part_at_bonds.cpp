@@ -50,18 +50,14 @@ double opening_speed(const WorldState& world, const OpenFace& face, const RigidM
 
 /// Finds the opened faces of a body between parts that its bonds cannot hold.
 void find_torn_faces(const WorldState& world, const Body& body, std::vector<std::ptrdiff_t>& torn) {
-  const std::vector<std::vector<TetId>> parts = connected_components(world.mesh, body.tets);
-  std::map<TetId, int> part_of;
+  const ConnectedParts parts(world, body);
   std::vector<RigidMotion> motions;
-  for (const std::vector<TetId>& part : parts) {
-    for (const TetId tet : part) part_of[tet] = static_cast<int>(motions.size());
-    motions.push_back(motion_of(world, nodes_of(world.mesh, part)));
-  }
+  for (const std::vector<TetId>& part : parts.tets()) motions.push_back(motion_of(world, nodes_of(world.mesh, part)));
   std::map<std::pair<int, int>, BondsBetween> bonds;
   for (std::size_t i = 0; i < world.cohesive_faces.size(); ++i) {
     const auto& [face, of_corners] = world.cohesive_faces[i];
     if (world.elements.bodies[face.first] != body.id || world.elements.bodies[face.second] != body.id) continue;
-    const int first = part_of.at(face.first), second = part_of.at(face.second);
+    const int first = parts.of(face.first), second = parts.of(face.second);
     if (first == second) continue;
     BondsBetween& between = bonds[std::minmax(first, second)];
     between.faces.push_back(static_cast<std::ptrdiff_t>(i));
