@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/world/energy/energy_phase.h"
 #include "sim/world/explicit/explicit_regime.h"
 #include "sim/world/explicit/similarity.h"
 #include "sim/world/fracture/fracture_phase.h"
@@ -25,6 +26,43 @@ template <class IsOverloaded>
 bool may_crack_in_microsteps(const WorldState& world, const Body& body, IsOverloaded is_overloaded) {
   const auto cracks = [&](NodeId node) { return is_overloaded(node) && may_crack(world, node); };
   return body.is_deformable() && std::ranges::any_of(body.nodes, cracks) && suits_microsteps(world, body, 0);
+}
+
+/// Returns the highest utilization of a body's nodes that may crack, by the load at the end of the last substep.
+double highest_utilization(const WorldState& world, const Body& body) {
+  double highest = 0;
+  for (const NodeId node : body.nodes)
+    if (may_crack(world, node)) highest = std::max(highest, utilization_at_end(world, node));
+  return highest;
+}
+
+/// Returns the energy that an object loses where a force stops it evenly in a substep `dt` [s] at whose end it acts
+/// [J].
+double lost_in_stop(const WorldState& world, const ContactLoad& load, double dt) {
+  const std::optional<RigidMass> moved = world.contact_world.rigid_mass(load.other);
+  const BodyId id = world.body_of(load.other);
+  const double mass = moved                                         ? moved->mass
+                      : id.valid() && !world.bodies[id].supported() ? world.bodies[id].motion.mass
+                                                                    : 0;
+  return mass > 0 ? 0.5 * (dt * load.force).squaredNorm() / mass : 0;
+}
+
+/// Returns the energy that the implicit substep `dt` [s] took by its damping from a body and from what it touches [J].
+double damped_energy(const WorldState& world, const Body& body, double dt) {
+  double energy = world.scratch.bodies[body.id].damped;
+  for (const ContactLoad& load : body.known_contact_loads) energy += lost_in_stop(world, load, dt);
+  return energy;
+}
+
+/// True if a body suited to microsteps would have been overloaded with the energy that the damping of the implicit
+/// substep `dt` [s] took. Stress grows with the root of the energy.
+bool is_held_by_damping(const WorldState& world, const Body& body, double dt) {
+  constexpr double kLoaded = 0.3;  // of the resistance: of less load, damping says little about the stress
+  if (!body.is_deformable() || body.id.index() >= static_cast<int>(world.scratch.bodies.size())) return false;
+  const double utilization = highest_utilization(world, body);
+  if (utilization < kLoaded || utilization > 1) return false;
+  const double elastic = elastic_energy(world, body), damped = damped_energy(world, body, dt);
+  return utilization * utilization * (elastic + damped) > elastic && suits_microsteps(world, body, 0);
 }
 
 }  // namespace
@@ -53,6 +91,10 @@ double fraction_until_overload(const WorldState& before, const WorldState& world
     }
   }
   return fraction;
+}
+
+bool may_be_held_by_damping(const WorldState& world, double dt) {
+  return std::ranges::any_of(world.bodies, [&](const Body& body) { return is_held_by_damping(world, body, dt); });
 }
 
 void begin_explicit_if_overloaded(WorldState& world) {

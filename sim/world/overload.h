@@ -14,6 +14,10 @@ bool may_overload(const WorldState& world);
 ///   last_over_this  length of the substep before over that of this one
 double fraction_until_overload(const WorldState& before, const WorldState& world, double last_over_this);
 
+/// True if the damping of the last implicit substep, `dt` [s], took so much energy from a body and from what it stopped
+/// that it may have held by that alone.
+bool may_be_held_by_damping(const WorldState& world, double dt);
+
 /// Begins explicit dynamics of overloaded bodies.
 void begin_explicit_if_overloaded(WorldState& world);
 

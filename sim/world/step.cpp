@@ -192,10 +192,12 @@ std::optional<BeforeSubstep> keep_if_overloading(const WorldState& world, double
   return BeforeSubstep(world);
 }
 
-/// Restores the state before a substep [s] in which bodies became overloaded long before its end, and limits the next
-/// one up to there. False if there were none.
+/// Restores the state before a substep [s] in which bodies became overloaded long before its end, or by whose damping
+/// alone they may have held, and limits the next one up to there or to half of it. False if there were none.
 bool undo_if_overloaded(WorldState& world, const BeforeSubstep& before, double substep, SubstepLimit& limit) {
-  const double fraction = fraction_until_overload(before.world, world, limit.last / substep);
+  constexpr double kHalf = 0.5;
+  double fraction = fraction_until_overload(before.world, world, limit.last / substep);
+  if (fraction == 1 && may_be_held_by_damping(world, substep)) fraction = kHalf;
   if (fraction == 1) return false;
   restore(world, before);
   limit.longest = std::max(fraction * substep, limit.shortest);

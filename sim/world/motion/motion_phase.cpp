@@ -261,6 +261,7 @@ void move_bodies(WorldState& world, const std::vector<Vec3>& external, std::vect
         const ElasticWorks works = elastic_works(world, body, dt);
         moves[body.id] = move_elastic(world, body, before, external, moves[body.id], dt);
         spent[i] = spent_in_move(world, body, before, works, external, dt, moves[body.id]);
+        world.scratch.bodies[i].damped = spent[i].time_integration;
         update_motion(world, body);
       }
     }

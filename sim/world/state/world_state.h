@@ -130,6 +130,7 @@ struct BodyStep {
   RigidStart start;
   double energy = 0;        ///< kinetic and elastic, when the substep began [J]
   double contact_work = 0;  ///< work of the contacts, at the velocities after it [J]
+  double damped = 0;        ///< energy that the damping of the implicit step took [J]
 };
 
 /// Velocities and places at the start of a substep, for the energy account.
