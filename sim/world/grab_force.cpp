@@ -5,7 +5,7 @@
 #include "sim/solver/contact_response.h"
 #include "sim/world/conditions/grab.h"
 #include "sim/world/conditions/material_point.h"
-#include "sim/world/contact/elastic_contacts.h"
+#include "sim/world/contact/group_builder.h"
 #include "sim/world/motion/elastic_phase.h"
 #include "sim/world/state/world_state.h"
 

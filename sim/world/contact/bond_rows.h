@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "sim/solver/contact_problem.h"
-#include "sim/world/contact/elastic_contacts.h"
+#include "sim/world/contact/group_builder.h"
 
 /// Bonds of cracks in the contact problem of a step: contacts of a body with itself that pull.
 namespace griffith {

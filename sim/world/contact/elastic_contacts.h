@@ -1,22 +1,11 @@
 #pragma once
 
-#include "sim/solver/contact_problem.h"
-#include "sim/world/contact/touched_body.h"
-#include "sim/world/state/world_state.h"
+#include <span>
+#include <vector>
+
+#include "sim/world/contact/group_builder.h"
 
 namespace griffith {
-
-/// Objects whose contacts and bonds affect one another, and these.
-struct ContactGroup {
-  std::vector<int> contacts;  ///< indices into contacts()
-  std::vector<int> touched;   ///< indices of the deformable bodies in TouchedBodies
-  std::vector<DeformableInertia> deformable;
-  std::vector<RigidInertia> rigid;
-  std::vector<FrictionContact> problem;   ///< per contact, then per bonded pair and tied edge of the touched bodies
-  std::vector<double> target_velocities;  ///< likewise, of bodies that do not turn [m/s]
-  int unconverged = 0;                    ///< contacts that do not meet their law
-  double tolerance = 0;                   ///< at least this, relative, where it is solved again
-};
 
 /// Elastic bodies with their contacts, and the groups in which these were solved.
 struct SolvedContacts {
@@ -37,13 +26,5 @@ std::vector<ContactGroup> solve_elastic_contacts(WorldState& world, TouchedBodie
 /// Solves some groups again, from the impulses found before: their bodies would have other velocities without contacts,
 /// the present ones, or resist otherwise.
 void solve_again(WorldState& world, TouchedBodies& touched, std::span<ContactGroup* const> groups, double dt);
-
-/// Returns the inertia of a body against velocity changes in a substep of `dt` [s].
-DeformableInertia deformable_inertia(const WorldState& world, const Body& body, double dt,
-                                     bool factors_with_contacts = false);
-
-/// Returns the motions of a body as a whole within its supports, for the present positions of its nodes, in a substep
-/// of `dt` [s].
-WholeMotion whole_motion(const WorldState& world, const Body& body, double dt);
 
 }  // namespace griffith

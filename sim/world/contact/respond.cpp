@@ -8,7 +8,7 @@
 #include "sim/core/parallel.h"
 #include "sim/solver/contact_response.h"
 #include "sim/world/bodies/surface_point.h"
-#include "sim/world/contact/elastic_contacts.h"
+#include "sim/world/contact/group_builder.h"
 #include "sim/world/contact/pressure_distribution.h"
 #include "sim/world/contact/quasi_static.h"
 #include "sim/world/motion/elastic_phase.h"

@@ -7,7 +7,7 @@
 #include "sim/core/parallel.h"
 #include "sim/solver/conjugate_gradient.h"
 #include "sim/world/bodies/effective_law.h"
-#include "sim/world/contact/elastic_contacts.h"
+#include "sim/world/contact/group_builder.h"
 #include "sim/world/motion/elastic_phase.h"
 #include "sim/world/state/corners.h"
 
