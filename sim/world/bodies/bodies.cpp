@@ -2,7 +2,9 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "sim/core/parallel.h"
 #include "sim/elasticity/element.h"
@@ -57,11 +59,11 @@ double extent_of(const WorldState& world, const Body& body) {
   return box.sizes().maxCoeff();
 }
 
-/// True if no node is farther from where the proxy has it than this share of the body's extent.
+/// True if no node is farther from where the proxy has it than `tolerance` [m].
 bool is_shaped_like_proxy(const WorldState& world, const Body& body, double tolerance) {
   const NodeVectors placed = (body.orientation.toRotationMatrix() * body.reference_arms).colwise() + body.motion.center;
   const NodeVectors positions = gather(world.nodes.positions, body.nodes);
-  return (positions - placed).colwise().norm().maxCoeff() <= tolerance * body.extent;
+  return (positions - placed).colwise().norm().maxCoeff() <= tolerance;
 }
 
 /// Returns the fraction of the material's resistance that scatter and direction leave at the body's weakest node,
@@ -90,6 +92,7 @@ std::size_t surviving_piece(const WorldState& world, const std::vector<std::vect
 }
 
 constexpr double kVisibleStrain = 1e-3;
+constexpr std::size_t kDebris = 20;  // tets: the shape of fewer is not worth its cost
 
 /// Returns the node speed below which waves stay far below a stress [m/s]: half of σ/(ρc).
 double speed_of_waves(const Material& material, double stress) {
@@ -105,7 +108,20 @@ double damage_speed(const WorldState& world, const Body& body) {
 }
 
 double visible_speed(const WorldState& world, const Body& body) {
-  return speed_of_waves(world.material_of(body), visible_stress(world, body));
+  constexpr double kVisible = 3e-4;  // of its extent: with a load on it, it swings slower and farther
+  const Material& material = world.material_of(body);
+  const double of_waves = speed_of_waves(material, visible_stress(world, body));
+  if (!is_thin(body) || body.tets.size() <= kDebris) return of_waves;
+  const double thickness = 2 * body.depth, c = bar_wave_speed(material);
+  const double slowest =
+      std::numbers::pi * std::numbers::pi / std::sqrt(12.0) * c * thickness / (body.extent * body.extent);
+  return std::min(of_waves, kVisible * body.extent * slowest);
+}
+
+bool all_slower(const WorldState& world, const Body& body, const RigidMotion& whole, double speed) {
+  return std::ranges::all_of(body.nodes, [&](NodeId node) {
+    return (world.nodes.velocities[node] - whole.velocity_at(world.nodes.positions[node])).norm() < speed;
+  });
 }
 
 double harmful_impact_speed(const WorldState& world, const Body& body) {
@@ -123,9 +139,25 @@ double min_breaking_stress(const WorldState& world, const Body& body, bool at_cr
 }
 
 double visible_stress(const WorldState& world, const Body& body) {
-  constexpr std::size_t kDebris = 20;  // tets: the shape of fewer is not worth its cost
   if (body.tets.size() <= kDebris) return std::numeric_limits<double>::infinity();
   return kVisibleStrain * world.material_of(body).young_modulus;
+}
+
+bool is_thin(const Body& body) {
+  constexpr double kThin = 0.1;  // of its extent
+  return 2 * body.depth <= kThin * body.extent;
+}
+
+double bending_stress(const WorldState& world, const Body& body, double force) {
+  const double volume = body.motion.mass / world.material_of(body).density, thickness = 2 * body.depth;
+  return 1.5 * force * body.extent * body.extent / (volume * thickness);
+}
+
+double visible_bending_stress(const WorldState& world, const Body& body) {
+  constexpr double kVisible = 5e-3;  // of the extent of what it is a piece of
+  if (body.tets.size() <= kDebris) return std::numeric_limits<double>::infinity();
+  const double deflection = kVisible * world.model->extents[body.scene_body], thickness = 2 * body.depth;
+  return 6 * world.material_of(body).young_modulus * thickness * deflection / (body.extent * body.extent);
 }
 
 bool deforms_visibly(const WorldState& world, const Body& body) {
@@ -272,7 +304,7 @@ RigidState proxy_state(const Body& body) {
 
 void fit_proxy(WorldState& world, Body& body) {
   constexpr double kSameShape = 1e-4;  // of its extent: contacts of rigid bodies overlap by as much
-  if (is_shaped_like_proxy(world, body, kSameShape)) return;
+  if (is_shaped_like_proxy(world, body, kSameShape * body.extent)) return;
   body.reference_arms = gather(world.nodes.positions, body.nodes).colwise() - body.motion.center;
   body.reference_offsets = gather(world.edges.offsets, body.edges);
   body.orientation.setIdentity();
@@ -282,7 +314,8 @@ void fit_proxy(WorldState& world, Body& body) {
 
 void follow_deformation(WorldState& world, Body& body) {
   constexpr double kDeformed = 5e-3;  // of its extent: contacts would be sought where the surface was
-  if (is_shaped_like_proxy(world, body, kDeformed)) return;
+  constexpr double kBent = 0.25;      // of its depth: the nearest side of a thin plate would be the wrong one
+  if (is_shaped_like_proxy(world, body, std::min(kDeformed * body.extent, kBent * body.depth))) return;
   const Mat3 back = body.orientation.conjugate().toRotationMatrix();
   body.reference_arms = back * (gather(world.nodes.positions, body.nodes).colwise() - body.motion.center);
   body.reference_offsets = back * gather(world.edges.offsets, body.edges);

@@ -55,6 +55,14 @@ Placement placement_of(const WorldState& world, std::span<const NodeId> nodes);
 double min_breaking_stress(const WorldState& world, const Body& body, bool at_crack_front);
 /// Returns the stress that strains a body visibly, by a thousandth [Pa]; infinite for debris of up to 20 tets.
 double visible_stress(const WorldState& world, const Body& body);
+/// True if a body is a plate or a beam, of at most a tenth of its extent: it bends more than it shears.
+bool is_thin(const Body& body);
+/// Returns the stress at the surface of a body that a force [N] in its middle bends between its ends [Pa]: that of a
+/// beam, 3/2 F l/(b t²) with its extent l, its thickness t, twice its depth, and the breadth b that its volume leaves.
+double bending_stress(const WorldState& world, const Body& body, double force);
+/// Returns the bending stress at which the deflection σ l²/(6 E t) is five thousandths of the extent of what a body is
+/// a piece of [Pa]; infinite for debris.
+double visible_bending_stress(const WorldState& world, const Body& body);
 /// True if a body is visibly strained before it breaks.
 bool deforms_visibly(const WorldState& world, const Body& body);
 /// True if a tet of a body is strained by more than `strain` [-], about, by its energy.
@@ -65,8 +73,11 @@ bool is_visibly_strained(const WorldState& world, const Body& body);
 bool sags_visibly(const WorldState& world, const Body& body);
 /// Returns the least speed of an impact that could cause damage [m/s]; infinite for a single tet, which cannot break.
 double damage_speed(const WorldState& world, const Body& body);
-/// Returns the node speed at which waves approach visible_stress() [m/s].
+/// Returns the node speed at which waves approach visible_stress(), or bending moves nodes of a thin body by 3·10⁻⁴ of
+/// its extent at its lowest frequency, π² c t/(√12 l²) of a beam [m/s]; infinite for debris.
 double visible_speed(const WorldState& world, const Body& body);
+/// True if all nodes of a body move slower than `speed` [m/s] relative to a motion of the whole.
+bool all_slower(const WorldState& world, const Body& body, const RigidMotion& whole, double speed);
 /// Returns the least speed of an impact that must be examined [m/s]. It is larger for a body of one cell without
 /// cracks, in which no wave returns as tension before it has spread: of 2,500 random ones none broke below 2.2
 /// σ_t/(ρc), while finer meshes do from 0.77 on.

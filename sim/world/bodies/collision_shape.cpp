@@ -5,6 +5,7 @@
 #include "sim/contact/convex_pieces.h"
 #include "sim/mesh/topology.h"
 #include "sim/splinters/carried_corner.h"
+#include "sim/world/bodies/bodies.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {
@@ -47,36 +48,73 @@ std::vector<ConvexPart> splinter_parts(const WorldState& world, const Body& body
   return convex_parts(points, rest_points, pieces);
 }
 
+/// Tets of a body, with corners as indices of its nodes.
+struct LocalTets {
+  std::vector<NodeId> nodes;
+  std::vector<std::array<int, 4>> corners;
+
+  LocalTets(const TetMesh& mesh, std::span<const TetId> tets) : nodes(nodes_of(mesh, tets)) {
+    corners.reserve(tets.size());
+    for (const TetId tet : tets) {
+      std::array<int, 4>& of_tet = corners.emplace_back();
+      for (int i = 0; i < 4; ++i)
+        of_tet[i] = static_cast<int>(std::ranges::lower_bound(nodes, mesh.tets[tet][i]) - nodes.begin());
+    }
+  }
+
+  std::vector<Vec3> points(std::span<const Vec3> positions) const {
+    std::vector<Vec3> points;
+    points.reserve(nodes.size());
+    for (const NodeId node : nodes) points.push_back(positions[node]);
+    return points;
+  }
+};
+
+std::vector<Vec3> relative_to(std::vector<Vec3> points, const Vec3& center) {
+  for (Vec3& point : points) point -= center;
+  return points;
+}
+
+/// True if a thin body is bent by a considerable share of its thickness: hulls of its parts at rest would fill its
+/// hollows. What is strained far changes its shape all the time, and keeps its parts.
+bool is_bent(const WorldState& world, const Body& body) {
+  constexpr double kBent = 0.25;  // of its depth
+  constexpr double kFarStrained = 0.1;
+  if (!is_thin(body)) return false;
+  const Placement placement = placement_of(world, body.nodes);
+  const auto is_off = [&](NodeId node) {
+    const Vec3 placed = placement.to_world(world.mesh->rest_positions[node]);
+    return (world.nodes.positions[node] - placed).norm() > kBent * body.depth;
+  };
+  return std::ranges::any_of(body.nodes, is_off) && !is_strained_by(world, body, kFarStrained);
+}
+
+/// Returns the convex parts of a body's tets. A bent body is divided as it is, another one as at rest, so that its
+/// parts stay the same.
+std::vector<ConvexPart> tet_parts(const WorldState& world, const Body& body) {
+  if (!is_bent(world, body)) return tet_parts(world.mesh, world.nodes.positions, body.tets, body.motion.center);
+  const LocalTets local(world.mesh, body.tets);
+  const Mat3 back = placement_of(world, body.nodes).turn.transpose();
+  const std::vector<Vec3> points = relative_to(local.points(world.nodes.positions), body.motion.center);
+  std::vector<Vec3> shape = points;
+  for (Vec3& point : shape) point = back * point;
+  return convex_parts(points, shape, local.corners);
+}
+
 }  // namespace
 
 std::vector<ConvexPart> tet_parts(const TetMesh& mesh, std::span<const Vec3> positions, std::span<const TetId> tets,
                                   const Vec3& center) {
-  const std::vector<NodeId> nodes = nodes_of(mesh, tets);
-  std::vector<Vec3> points, rest_points;
-  points.reserve(nodes.size()), rest_points.reserve(nodes.size());
-  for (NodeId node : nodes) {
-    points.push_back(positions[node] - center);
-    rest_points.push_back(mesh.rest_positions[node]);
-  }
-  std::vector<std::array<int, 4>> corners_of_tets;
-  corners_of_tets.reserve(tets.size());
-  for (TetId tet : tets) {
-    std::array<int, 4>& corners = corners_of_tets.emplace_back();
-    for (int i = 0; i < 4; ++i)
-      corners[i] = static_cast<int>(std::ranges::lower_bound(nodes, mesh.tets[tet][i]) - nodes.begin());
-  }
-  return convex_parts(points, rest_points, corners_of_tets);
+  const LocalTets local(mesh, tets);
+  return convex_parts(relative_to(local.points(positions), center), local.points(mesh.rest_positions), local.corners);
 }
 
 std::vector<ConvexPart> collision_parts(const WorldState& world, const Body& body) {
   constexpr std::size_t kMaxSplinters = 256;
-  const auto parts_of_tets = [&] {
-    return tet_parts(world.mesh, world.nodes.positions, body.tets, body.motion.center);
-  };
-  if (world.model->scene.bodies[body.scene_body].collision != CollisionShape::splinters) return parts_of_tets();
+  if (world.model->scene.bodies[body.scene_body].collision != CollisionShape::splinters) return tet_parts(world, body);
   const std::vector<SplinterId> splinters = owned_splinters(world, body);
   const bool suit = !splinters.empty() && splinters.size() <= kMaxSplinters;
-  return suit ? splinter_parts(world, body, splinters) : parts_of_tets();
+  return suit ? splinter_parts(world, body, splinters) : tet_parts(world, body);
 }
 
 }  // namespace griffith

@@ -30,12 +30,30 @@
 namespace griffith {
 namespace {
 
-/// True if a force could bring a rigid piece near its strength somewhere, or deform it visibly.
-bool could_deform(const WorldState& world, const Body& body, double force) {
-  constexpr double kWakingFraction = 0.25;
+/// Fraction of the resistance up to which a rigid body stays rigid.
+constexpr double kWakingFraction = 0.25;
+
+/// True if the bending by a force [N] that stays could bring a thin rigid piece near its strength, or be seen.
+bool could_bend(const WorldState& world, const Body& body, double force) {
+  constexpr double kLarge = 0.3;  // of the extent of the original: what shards carry is not worth its cost
+  if (!is_thin(body) || body.extent < kLarge * world.model->extents[body.scene_body]) return false;
+  const double damaging = kWakingFraction * min_breaking_stress(world, body, false);
+  return bending_stress(world, body, force) > std::min(damaging, visible_bending_stress(world, body));
+}
+
+/// True if a force [N] could bring a rigid piece near its strength somewhere, or deform it visibly. Thin ones bend
+/// under forces that stay; impacts are judged by their speed.
+bool could_deform(const WorldState& world, const Body& body, double force, bool stays) {
   if (body.tets.size() == 1) return false;
-  const double stress = force / (body.element_size * body.element_size);
-  return stress > std::min(kWakingFraction * min_breaking_stress(world, body, true), visible_stress(world, body));
+  const double stress = force / (body.element_size * body.element_size),
+               damaging = kWakingFraction * min_breaking_stress(world, body, true);
+  return stress > std::min(damaging, visible_stress(world, body)) || (stays && could_bend(world, body, force));
+}
+
+/// True if two objects came together no faster than gravity and the substep `dt` [s] make those that rest.
+bool is_at_rest(const WorldState& world, const Contact& contact, double dt) {
+  constexpr double kSubsteps = 2;
+  return contact.approach <= kSubsteps * dt * world.model->scene.gravity.norm();
 }
 
 /// True if the damage by a contact was predicted before the step: impacts have their own phase, and their mean force in
@@ -57,12 +75,12 @@ Vec3 load_of(const WorldState& world, const Body& body, ProxyId other, double dt
 
 /// True if the load of an object on a rigid body is no larger than when the body was found quiescent: loads on few
 /// points then are spread by faces.
-bool is_known_load(const WorldState& world, const Body& body, ProxyId other, double dt) {
+bool is_known_load(const WorldState& world, const Body& body, ProxyId other, double dt, bool stays) {
   constexpr double kSame = 0.1;
   const auto known = std::ranges::find(body.known_contact_loads, other, &ContactLoad::other);
   if (known == body.known_contact_loads.end()) return false;
   const double more = (load_of(world, body, other, dt) - known->force).norm();
-  return more <= kSame * known->force.norm() || !could_deform(world, body, more);
+  return more <= kSame * known->force.norm() || !could_deform(world, body, more, stays);
 }
 
 /// Adds the load of an object to those that a body is known to carry [N].
@@ -90,8 +108,10 @@ void record_loads(WorldState& world, double dt) {
 /// True if a rigid or sleeping body must deform under a contact: one that could damage it, or its first.
 bool must_deform(const WorldState& world, const Body& body, const Contact& contact, double dt) {
   if (body.ballistic) return !contact.impulse.isZero(0);
-  return could_deform(world, body, contact.impulse.norm() / dt) && !is_left_to_microsteps(world, body, contact) &&
-         !is_known_load(world, body, contact.a == body.proxy ? contact.b : contact.a, dt);
+  const bool stays = is_at_rest(world, contact, dt);
+  return could_deform(world, body, contact.impulse.norm() / dt, stays) &&
+         !is_left_to_microsteps(world, body, contact) &&
+         !is_known_load(world, body, contact.a == body.proxy ? contact.b : contact.a, dt, stays);
 }
 
 /// True if a body is immovable or rigid under its contacts and could deform.
@@ -217,7 +237,7 @@ void apply_corrections(WorldState& world) {
 void place_proxies(WorldState& world) {
   for (Body& body : world.bodies) {
     if (body.asleep) continue;
-    if (body.is_deformable() && deforms_visibly(world, body)) follow_deformation(world, body);
+    if (body.is_deformable()) follow_deformation(world, body);
     world.contact_world.set_state(body.proxy, proxy_state(body));
   }
 }

@@ -36,9 +36,12 @@ namespace {
 void make_rigid_if_unharmed(WorldState& world, Body& body) {
   // Of the resistance: what contacts must exceed to make it elastic again. Residual stress loads a piece without any.
   constexpr double kUnharmed = 0.25, kUnharmedUnderResidualStress = 0.85;
-  if (sags_visibly(world, body)) return;
-  evaluate_separation(world, body);
   const bool has_residual_stress = world.model->scene.bodies[body.scene_body].residual_stress.has_value();
+  const auto swings_visibly = [&] {
+    return !all_slower(world, body, motion_of(world, body), visible_speed(world, body));
+  };
+  if (sags_visibly(world, body) || (!has_residual_stress && swings_visibly())) return;
+  evaluate_separation(world, body);
   const double limit = has_residual_stress ? kUnharmedUnderResidualStress : kUnharmed;
   const auto is_unharmed = [&](NodeId node) { return world.nodes.separations[node].utilization < limit; };
   if (std::ranges::all_of(body.nodes, is_unharmed)) stop_vibration(world, body);
@@ -74,12 +77,12 @@ void end_explicit_if_quiet(WorldState& world) {
     const double window = explicit_window(world, body);
     if (world.time - body.explicit_state->last_event < (1 - kRounding) * window) continue;
     end_explicit(world, body);
-    if (body.supported()) continue;
-    if (body.bonded) {
+    if (body.bonded && !body.supported()) {
       stop_vibration(world, body);  // its bonds hold, but do not act in implicit steps
-    } else if (!strained[body.id]) {
+    } else if (!strained[body.id] && !body.supported()) {
       make_rigid_if_unharmed(world, body);
     }
+    if (body.is_deformable()) follow_deformation(world, body);
   }
 }
 

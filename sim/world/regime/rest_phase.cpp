@@ -15,13 +15,6 @@
 namespace griffith {
 namespace {
 
-/// True if all nodes move slower than `speed` [m/s] relative to a motion of the whole.
-bool all_slower(const WorldState& world, const Body& body, const RigidMotion& whole, double speed) {
-  return std::ranges::all_of(body.nodes, [&](NodeId node) {
-    return (world.nodes.velocities[node] - whole.velocity_at(world.nodes.positions[node])).norm() < speed;
-  });
-}
-
 /// True if stress and waves in a free body are far too small for damage, and invisible. A wave of stress σ moves nodes
 /// by σ/(ρc), in compression as in tension, before it arrives where it could separate the body.
 bool is_quiescent(const WorldState& world, const Body& body) {
@@ -137,16 +130,18 @@ void rigidify_if_quiescent(WorldState& world, Body& body) {
 }
 
 void rigidify_quiet_bodies(WorldState& world) {
-  constexpr int kQuietSteps = 20;
+  constexpr int kLeastSteps = 20;
+  constexpr double kLeastTime = 0.1;  // [s]: a slow swing is quiet for a moment wherever it turns back
   const double time_step = world.model->scene.simulation.time_step;
+  const int quiet_steps = std::max(kLeastSteps, static_cast<int>(std::ceil(kLeastTime / time_step)));
   const std::vector<bool> strained = strained_bodies(world, {world.time - time_step, world.time});
   for (Body& body : world.bodies) {
-    if (body.ballistic && ++body.quiet_steps == kQuietSteps) set_ballistic(world, body, false);
+    if (body.ballistic && ++body.quiet_steps == quiet_steps) set_ballistic(world, body, false);
     if (!body.is_deformable() || body.supported()) continue;
     body.quiet_steps = !strained[body.id] && is_quiescent(world, body) ? body.quiet_steps + 1 : 0;
     const bool flies = body.quiet_steps > 0 && flies_unstressed(world, body);
-    if (body.tets.size() > 1 && body.quiet_steps < kQuietSteps && !flies) continue;
-    set_ballistic(world, body, body.quiet_steps < kQuietSteps && yields_at_first_touch(world, body));
+    if (body.tets.size() > 1 && body.quiet_steps < quiet_steps && !flies) continue;
+    set_ballistic(world, body, body.quiet_steps < quiet_steps && yields_at_first_touch(world, body));
     turn_rigid(world, body);
   }
 }
