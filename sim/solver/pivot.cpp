@@ -72,14 +72,22 @@ Turning turning_about(const Pivot& pivot, const NodeVectors& positions, const No
 
 Vec3 swing_acceleration(const Pivot& pivot, const NodeVectors& positions, const Eigen::VectorXd& masses,
                         const NodeVectors& forces, const Vec3& half_turn) {
-  NodeVectors changes(3, forces.cols());  // of velocity, per second
-  NodeVectors places(3, forces.cols());
+  const Mat3 turn = rotation_by(half_turn).toRotationMatrix();
+  Mat3 inertia = Mat3::Zero();
+  Vec3 torque = Vec3::Zero();
   for (Eigen::Index node = 0; node < masses.size(); ++node) {
     const Vec3 arm = positions.col(node) - pivot.place;
-    places.col(node) = positions.col(node) + half_turn.cross(arm);
-    changes.col(node) = forces.col(node) / masses[node];
+    inertia += masses[node] * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
+    torque += (turn * arm).cross(forces.col(node));
   }
-  return turning_about(pivot, places, changes, masses).spin;
+  return spin_about(pivot, inertia, torque);
+}
+
+Vec3 acceleration_gained_halfway(const Pivot& pivot, const NodeVectors& positions, const NodeVectors& velocities,
+                                 const Eigen::VectorXd& masses, const NodeVectors& forces, double dt) {
+  const Vec3 half_turn = 0.5 * dt * turning_about(pivot, positions, velocities, masses).spin;
+  return swing_acceleration(pivot, positions, masses, forces, half_turn) -
+         swing_acceleration(pivot, positions, masses, forces, Vec3::Zero());
 }
 
 }  // namespace griffith

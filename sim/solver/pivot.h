@@ -49,5 +49,9 @@ Turning turning_about(const Pivot& pivot, const NodeVectors& positions, const No
 /// still to go; one column or entry a node [N].
 Vec3 swing_acceleration(const Pivot& pivot, const NodeVectors& positions, const Eigen::VectorXd& masses,
                         const NodeVectors& forces, const Vec3& half_turn);
+/// Returns what that acceleration changes by where forces act in the middle of a substep of `dt` [s], not at its start,
+/// with the places and velocities of nodes there [rad/s²].
+Vec3 acceleration_gained_halfway(const Pivot& pivot, const NodeVectors& positions, const NodeVectors& velocities,
+                                 const Eigen::VectorXd& masses, const NodeVectors& forces, double dt);
 
 }  // namespace griffith

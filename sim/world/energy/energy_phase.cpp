@@ -10,6 +10,7 @@
 #include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/energy/plastic_work.h"
+#include "sim/world/motion/turning.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {
@@ -271,6 +272,24 @@ double centrifugal_work(const WorldState& world, const Body& body, const BodySna
   return work;
 }
 
+/// Returns the work of the torque by which external forces act on a body that swings about a pivot in the middle of the
+/// substep, not at its start [J].
+double work_gained_halfway(const WorldState& world, const Body& body, const BodySnapshot& before,
+                           const std::vector<Vec3>& external, double dt) {
+  const std::optional<Pivot> pivot = body.supported() ? pivot_of(world, body) : std::nullopt;
+  if (!pivot) return 0;
+  NodeVectors positions(3, static_cast<Eigen::Index>(body.nodes.size()));
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) positions.col(static_cast<Eigen::Index>(i)) = before.positions[i];
+  const Vec3 change =
+      acceleration_gained_halfway(*pivot, positions, of_nodes(body, world.scratch.substep_start.velocities),
+                                  masses_of(world, body), of_nodes(body, external), dt);
+  double work = 0;
+  for (std::size_t i = 0; i < body.nodes.size(); ++i)
+    work += dt * world.nodes.masses[body.nodes[i]] *
+            change.cross(before.positions[i] - pivot->place).dot(before.velocities[i]);
+  return work;
+}
+
 }  // namespace
 
 EnergyAccount spent_in_move(const WorldState& world, const Body& body, const BodySnapshot& before,
@@ -296,7 +315,8 @@ EnergyAccount spent_in_move(const WorldState& world, const Body& body, const Bod
     spent.time_integration =
         nodes.change + nodes.predicted - nodes.after - nodes.beside + forces - stored - spent.plastic;
     if (!step.start.rigid && !world.integrates_explicitly())
-      spent.time_integration -= centrifugal_work(world, body, before, external, dt);
+      spent.time_integration -=
+          centrifugal_work(world, body, before, external, dt) + work_gained_halfway(world, body, before, external, dt);
   }
   return spent;
 }

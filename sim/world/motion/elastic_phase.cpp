@@ -103,10 +103,8 @@ void turn_forces_halfway(const WorldState& world, const Body& body, double dt, s
   const auto pivot = pivot_of(world, body);
   if (!pivot) return;
   const NodeVectors positions = of_nodes(body, world.nodes.positions), acting = of_nodes(body, forces);
-  const Eigen::VectorXd masses = masses_of(world, body);
-  const Vec3 half_turn = 0.5 * dt * turning_of(world, body, *pivot).spin;
-  const Vec3 change = swing_acceleration(*pivot, positions, masses, acting, half_turn) -
-                      swing_acceleration(*pivot, positions, masses, acting, Vec3::Zero());
+  const Vec3 change = acceleration_gained_halfway(*pivot, positions, of_nodes(body, world.nodes.velocities),
+                                                  masses_of(world, body), acting, dt);
   for (NodeId node : body.nodes)
     forces[node] += world.nodes.masses[node] * change.cross(world.nodes.positions[node] - pivot->place);
 }

@@ -198,6 +198,29 @@ TEST(Energy, APendulumSwingsOnWhateverItsStiffness) {
       }
 }
 
+// In a step it turns by up to 0.4 rad.
+TEST(Energy, ASmallPendulumNeitherGainsNorLosesInLongSteps) {
+  for (const bool by_corner : {false, true}) {
+    Scene scene = pendulum(7e10, ElementOrder::linear, by_corner);
+    const double size = by_corner ? 0.5 : 0.05;  // a ball joint turns about changing axes, which is less exact
+    auto& shape = std::get<BoxShape>(scene.bodies[0].shape);
+    shape.size *= size, shape.element_size *= size;
+    auto& region = std::get<BoxRegion>(scene.bodies[0].supports[0].region);
+    region.minimum *= size, region.maximum *= size;
+    scene.simulation.time_step = 1.0 / 60;
+    World world(scene);
+    const double start = mechanical_energy(scene, world.frame());
+    double most_kinetic = 0, farthest = 0;
+    for (int step = 0; step < 600; ++step) {
+      world.step();
+      most_kinetic = std::max(most_kinetic, world.frame().totals.kinetic_energy);
+      farthest = std::max(farthest, std::abs(mechanical_energy(scene, world.frame()) - start));
+    }
+    EXPECT_LT(farthest, 0.025 * most_kinetic) << "by a corner " << by_corner;
+    EXPECT_LT(std::abs(world.frame().energy.unaccounted()), 1e-3 * most_kinetic) << "by a corner " << by_corner;
+  }
+}
+
 // In a step it turns by radians, so that the linearized step would strain it.
 TEST(Energy, AFastPieceOnAJointGainsNone) {
   for (const ElementOrder elements : {ElementOrder::linear, ElementOrder::quadratic})
