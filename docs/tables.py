@@ -287,7 +287,7 @@ breaking_speed = Search('scenes/glass_pane.json --frames 30', 'projectiles/0/spe
 probabilities = Search('scenes/glass_pane.json --frames 30', 'projectiles/0/speed', '1,2,4,8',
                        '--outcome "pieces > 1" --set \'bodies/0/strength_scatter={"weibull_modulus": 7}\' --seeds 20', '1')
 window = Search('scenes/wall_small.json --frames 60', 'bodies/0/material/tensile_strength', '1e4:1e6',
-                '--condition "projectiles/0/speed=14: pieces == 1" --condition "projectiles/0/speed=40: pieces in 8:12"',
+                '--outcome "projectiles/0/speed=14: pieces == 1" --outcome "projectiles/0/speed=40: pieces in 8:12"',
                 '10000,1e+06')
 
 

@@ -96,7 +96,7 @@ Command add_find(CLI::App& program) {
       "Examples:\n"
       "  griffith find scenes/glass_pane.json --frames 30 --parameter projectiles/0/speed --outcome \"pieces > 1\"\n"
       "  griffith find scenes/glass_pane.json --frames 30 --parameter bodies/0/material/tensile_strength=1e6:1e8 \\\n"
-      "    --condition \"projectiles/0/speed=2: pieces == 1\" --condition \"projectiles/0/speed=8: pieces in "
+      "    --outcome \"projectiles/0/speed=2: pieces == 1\" --outcome \"projectiles/0/speed=8: pieces in "
       "15:60\"\n\n"
       "Exit code 1: no value holds.");
   return {command, [options] { return run_find(*options) ? kDone : kFailed; }};

@@ -104,13 +104,13 @@ void check_pointers(const Find& find) {
       for (const Condition& condition : find.conditions)
         for (const SceneSetting& setting : condition.settings)
           if (hides(setting.pointer, repeated))
-            throw InputError("--condition", setting.pointer + " overrides --vary " + parameter.name,
+            throw InputError("--outcome", setting.pointer + " overrides --vary " + parameter.name,
                              "vary another field");
     }
   for (const Condition& condition : find.conditions)
     for (const SceneSetting& setting : condition.settings)
       if (hides(find.pointer, setting.pointer))
-        throw InputError("--condition", "sets " + setting.pointer + ", which --parameter sets too",
+        throw InputError("--outcome", "sets " + setting.pointer + ", which --parameter sets too",
                          "search another field, or leave it out of the condition");
 }
 
@@ -211,7 +211,7 @@ Find make_find(const FindDefinition& definition, const JobLimits& job_limits) {
   find.program = this_program();
   for (const std::string& text : definition.set) find.settings.push_back(read_setting(text, "--set"));
   const Scene scene = read_scene(definition.scene, find.settings);
-  for (const std::string& text : definition.conditions) find.conditions.push_back(read_condition(text, "--condition"));
+  for (const std::string& text : definition.conditions) find.conditions.push_back(read_condition(text, "--outcome"));
   find.repeats = repeats_of(definition, scene);
   find.search.tolerance = definition.tolerance;
   const int runs_of_a_value = static_cast<int>(find.conditions.size() * find.repeats.runs.size());
