@@ -103,11 +103,13 @@ std::vector<ui::WorkReport::Action> ways_to_apply(const HoldingAnswer& answer, c
 
 ui::WorkReport holding_report(const HoldingAnswer& answer, const RunToCrack& run) {
   ui::WorkReport report;
-  report.title = "What would have held node " + std::to_string(run.node.index()) + ":";
+  const std::string& body = run.scene.bodies[static_cast<std::size_t>(run.scene_body)].name;
+  report.title = "What would have held node " + std::to_string(run.node.index()) + " of " + body + ":";
   const bool ended_early = answer.cancelled || !answer.problem.empty();
   if (answer.strength.runs > 0) report.facts.push_back(strength_fact(answer, run.material));
   if (answer.speed || !ended_early) report.facts.push_back(speed_fact(answer.speed, run));
   if (answer.thickness || !ended_early) report.facts.push_back(thickness_fact(answer.thickness, run));
+  report.facts.push_back("Only this node is examined: others may crack all the same.");
   report.facts.push_back(trial_summary(answer));
   report.actions = ways_to_apply(answer, run);
   if (answer.cancelled) report.warnings.push_back("Cancelled before the search was complete.");

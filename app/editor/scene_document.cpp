@@ -43,7 +43,10 @@ std::string SceneDocument::saving_problem(const fs::path& file) const {
 }
 
 void SceneDocument::save(const fs::path& file, const ViewSettings& view) {
-  history_.change("Set view", [&](Scene& scene) { scene.view = view; });
+  history_.change("Set view", [&](Scene& scene) {
+    scene.view = view;
+    if (scene.name == Scene().name) scene.name = file.stem().string();
+  });
   history_.finish();
   write_scene(scene(), file);
   history_.mark_saved();

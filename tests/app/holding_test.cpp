@@ -182,7 +182,7 @@ TEST(Holding, TheReportSaysWhatWasFoundAndWhatWasNot) {
   answer.speed.reset();
   answer.cancelled = true;
   report = holding_report(answer, run);
-  EXPECT_EQ(report.facts.size(), 2u) << "untried values are not reported";
+  EXPECT_EQ(report.facts.size(), 3u) << "untried values are not reported";
   EXPECT_THAT(report.warnings[0], HasSubstr("Cancelled"));
 }
 

@@ -185,5 +185,24 @@ TEST(Commands, KeysPressedWhileWorkGoesOnWaitForItInTheirOrder) {
   EXPECT_THAT(ui.issued(), ::testing::ElementsAre("edit.delete", "edit.delete", "simulation.step", "simulation.reset"));
 }
 
+TEST(Commands, KeysAfterAClickThatWorkSwallowedDoNothing) {
+  UiDriver ui(two_walls());
+  ui.state.work = "Building bodies";
+  for (int i = 0; i < 3; ++i) ui.frame();
+  ui.press_key(key::kDelete);
+  ui.move({5, 5});
+  ui.press(0, true);
+  ui.press(0, false);
+  ui.press_key('N');
+  ui.frame();
+  EXPECT_EQ(ui.value("work/waiting"), "Then: Delete");
+  EXPECT_TRUE(find_tag(ui.tags, "work/lost_click"));
+  ui.state.work.clear();
+  ui.frame();
+  ui.press_key('N');
+  for (int i = 0; i < 4; ++i) ui.frame();
+  EXPECT_THAT(ui.issued(), ::testing::ElementsAre("edit.delete", "simulation.step"));
+}
+
 }  // namespace
 }  // namespace griffith::ui

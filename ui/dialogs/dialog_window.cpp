@@ -46,6 +46,8 @@ bool escape_pressed() {
   return ImGui::IsKeyPressed(key::kEscape, false) && !list_is_open && !types;
 }
 
+bool dismiss_pressed() { return ImGui::IsKeyPressed(key::kEnter, false) || escape_pressed(); }
+
 bool escape_left_untyped() {
   return ImGui::IsKeyPressed(key::kEscape, false) && ImGui::IsItemDeactivated() && !ImGui::IsItemDeactivatedAfterEdit();
 }

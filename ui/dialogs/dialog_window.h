@@ -39,6 +39,9 @@ bool begin_dialog(const Panel& panel, const char* title, bool requested, float d
 /// True if Escape was pressed and no list or text field of the dialog takes it.
 bool escape_pressed();
 
+/// True if Enter or Escape was pressed in a dialog that only reports.
+bool dismiss_pressed();
+
 /// True if Escape has just left the text field drawn last with nothing typed in it: the key then closes the dialog.
 bool escape_left_untyped();
 

@@ -47,19 +47,23 @@ void error_dialog(Panel& panel) {
   }
   hint(panel, "The program continues with its previous state.");
   ImGui::Spacing();
-  if (text_button(panel, "error/close", "Close", 120 * ui_scale(panel)) || escape_pressed()) error.reset();
+  if (text_button(panel, "error/close", "Close", 120 * ui_scale(panel)) || dismiss_pressed()) error.reset();
   if (!error) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
 }
 
-/// Names the commands that keys have queued: "Then: Delete, Delete".
+/// Names the commands that keys have queued: "Then: Delete, Delete". Reports if a click was lost.
 void waiting_line(Panel& panel) {
   std::string text;
   for (const Command& command : panel.state.waiting)
     text.append(text.empty() ? "Then: " : ", ").append(command_info(command.name, panel).label);
-  if (text.empty()) return;
-  hint(panel, text);
-  tag_last_item(panel.tags, "work/waiting", text);
+  if (!text.empty()) {
+    hint(panel, text);
+    tag_last_item(panel.tags, "work/waiting", text);
+  }
+  if (!panel.state.lost_click) return;
+  hint(panel, "Clicks have no effect until this is done, nor do keys after a click.");
+  tag_last_item(panel.tags, "work/lost_click", "");
 }
 
 /// Shows the progress of work. A dialog takes the keyboard, so none opens while text is typed: the next field, to which
@@ -108,6 +112,7 @@ void open_dialog(Panel& panel) {
   if (!begin_dialog(panel, "Open a scene", state.show_open, 520)) return;
   scene_list(panel);
   ImGui::SetNextItemWidth(-FLT_MIN);
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   const bool entered =
       ImGui::InputTextWithHint("##path", "path of a scene file, or drop it on the window", state.path_text.data(),
                                state.path_text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
@@ -153,7 +158,7 @@ void help_dialog(Panel& panel) {
     ImGui::EndTable();
   }
   ImGui::Spacing();
-  if (text_button(panel, "help/close", "Close", 120 * ui_scale(panel)) || escape_pressed()) state.show_help = false;
+  if (text_button(panel, "help/close", "Close", 120 * ui_scale(panel)) || dismiss_pressed()) state.show_help = false;
   if (!state.show_help) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
 }

@@ -92,7 +92,7 @@ void draw_report_dialog(Panel& panel) {
   }
   if (report) action_buttons(panel, report->actions);
   ImGui::Spacing();
-  if (text_button(panel, "report/close", "Close", 120 * ui_scale(panel)) || escape_pressed()) report.reset();
+  if (text_button(panel, "report/close", "Close", 120 * ui_scale(panel)) || dismiss_pressed()) report.reset();
   if (!report) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
 }

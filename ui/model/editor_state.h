@@ -222,6 +222,7 @@ struct EditorState {
   std::string work;                  ///< description of the work while a world is built; empty: none
   bool cancel_work = false;          ///< the user cancelled the work
   std::vector<Command> waiting;      ///< commands queued by keys during the work, in order
+  bool lost_click = false;           ///< true once a click beside the dialog of the work was lost
   std::optional<double> large_mesh;  ///< tetrahedra that the work would make, while it waits for confirmation
   bool build_large_mesh = false;     ///< confirmation of the large mesh
   std::optional<ErrorMessage> error;

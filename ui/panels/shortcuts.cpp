@@ -14,10 +14,12 @@ bool shortcut_pressed(const CommandInfo& info, bool may_repeat) {
 }
 
 /// Issues a command of a shortcut. A dialog or text field blocks all but those that do not affect the scene; the key of
-/// the help also closes it. During work, commands are queued in order.
+/// the help also closes it. During work, commands are queued in order, up to a click that was lost: what is typed after
+/// it was meant for what was clicked.
 void take_order(Panel& panel, const CommandInfo& info, const Command& command, Dialog dialog, bool waits) {
   if (info.in_dialogs) return issue(panel, command);
   if (ImGui::GetIO().WantTextInput) return;
+  if (dialog == Dialog::work && panel.state.lost_click) return;
   if (waits && (dialog == Dialog::work || dialog == Dialog::none)) return panel.state.waiting.push_back(command);
   if (dialog == Dialog::none || (dialog == Dialog::help && info.name == "help.show")) issue(panel, command);
 }
@@ -28,6 +30,13 @@ void issue_waiting(Panel& panel) {
   if (waiting.empty()) return;
   issue(panel, waiting.front());
   waiting.erase(waiting.begin());
+}
+
+/// Returns true if the mouse has clicked beside the dialog of the work, now or before while it is open.
+bool has_lost_click(const EditorState& state, Dialog dialog) {
+  const bool clicks =
+      ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_AnyWindow);
+  return dialog == Dialog::work && (state.lost_click || clicks);
 }
 
 bool cursor_in_view(const EditorState& state) {
@@ -49,6 +58,7 @@ void issue_shortcuts(Panel& panel) {
   const Vec2 cursor = cursor_place(panel.state);
   const Dialog dialog = shown_dialog(panel.state);
   const bool waits = dialog == Dialog::work || !panel.state.waiting.empty();
+  panel.state.lost_click = has_lost_click(panel.state, dialog);
   if (dialog == Dialog::none) issue_waiting(panel);
   for (const CommandInfo& info : panel.input.commands)
     if (shortcut_pressed(info, !waits)) take_order(panel, info, {.name = info.name, .cursor = cursor}, dialog, waits);
