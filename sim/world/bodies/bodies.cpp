@@ -143,6 +143,11 @@ double visible_stress(const WorldState& world, const Body& body) {
   return kVisibleStrain * world.material_of(body).young_modulus;
 }
 
+double bending_tolerance(const Body& body) {
+  constexpr double kBent = 0.25;  // of its depth
+  return kBent * body.depth;
+}
+
 bool is_thin(const Body& body) {
   constexpr double kThin = 0.1;  // of its extent
   return 2 * body.depth <= kThin * body.extent;
@@ -314,8 +319,7 @@ void fit_proxy(WorldState& world, Body& body) {
 
 void follow_deformation(WorldState& world, Body& body) {
   constexpr double kDeformed = 5e-3;  // of its extent: contacts would be sought where the surface was
-  constexpr double kBent = 0.25;      // of its depth: the nearest side of a thin plate would be the wrong one
-  if (is_shaped_like_proxy(world, body, std::min(kDeformed * body.extent, kBent * body.depth))) return;
+  if (is_shaped_like_proxy(world, body, std::min(kDeformed * body.extent, bending_tolerance(body)))) return;
   const Mat3 back = body.orientation.conjugate().toRotationMatrix();
   body.reference_arms = back * (gather(world.nodes.positions, body.nodes).colwise() - body.motion.center);
   body.reference_offsets = back * gather(world.edges.offsets, body.edges);

@@ -78,13 +78,12 @@ std::vector<Vec3> relative_to(std::vector<Vec3> points, const Vec3& center) {
 /// True if a thin body is bent by a considerable share of its thickness: hulls of its parts at rest would fill its
 /// hollows. What is strained far changes its shape all the time, and keeps its parts.
 bool is_bent(const WorldState& world, const Body& body) {
-  constexpr double kBent = 0.25;  // of its depth
   constexpr double kFarStrained = 0.1;
   if (!is_thin(body)) return false;
   const Placement placement = placement_of(world, body.nodes);
   const auto is_off = [&](NodeId node) {
     const Vec3 placed = placement.to_world(world.mesh->rest_positions[node]);
-    return (world.nodes.positions[node] - placed).norm() > kBent * body.depth;
+    return (world.nodes.positions[node] - placed).norm() > bending_tolerance(body);
   };
   return std::ranges::any_of(body.nodes, is_off) && !is_strained_by(world, body, kFarStrained);
 }

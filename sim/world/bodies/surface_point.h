@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "sim/world/state/world_state.h"
 
@@ -10,6 +11,13 @@ namespace griffith {
 struct SurfacePoint {
   std::array<NodeId, 3> nodes;
   Vec3 weights = Vec3::Zero();
+
+  /// Returns the value there of what is given per node of the mesh.
+  Vec3 interpolate(const std::vector<Vec3>& values) const {
+    Vec3 value = Vec3::Zero();
+    for (int i = 0; i < 3; ++i) value += weights[i] * values[nodes[i]];
+    return value;
+  }
 };
 
 /// Finds points of a body's present surface (world space); void when its nodes move.

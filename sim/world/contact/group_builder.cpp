@@ -118,8 +118,7 @@ class GroupBuilder {
   }
 
   bool is_marked(const std::vector<bool>& marks, ProxyId object) {
-    grow(object);
-    return touched_of(object) >= 0 && marks[touched_of(object)];
+    return is_deformable(object) && marks[touched_of(object)];
   }
 
   /// Returns the speed that a contact has to stop, along the normal or, if it stuck, along the surface [m/s].
@@ -136,12 +135,7 @@ class GroupBuilder {
   /// Returns the velocity of an object at a contact when the substep began [m/s].
   Vec3 first_velocity(ProxyId object, int contact, const Vec3& position) {
     const SubstepStart& start = world_.scratch.substep_start;
-    if (is_deformable(object)) {
-      const SurfacePoint& point = point_at(object, contact).surface;
-      Vec3 velocity = Vec3::Zero();
-      for (int i = 0; i < 3; ++i) velocity += point.weights[i] * start.velocities[point.nodes[i]];
-      return velocity;
-    }
+    if (is_deformable(object)) return point_at(object, contact).surface.interpolate(start.velocities);
     const BodyId id = world_.body_of(object);
     if (!id.valid() || world_.bodies[id].supported()) {
       const RigidState state = world_.contact_world.state(object);
@@ -176,8 +170,7 @@ class GroupBuilder {
   }
 
   ContactSide side(ContactGroup& group, ProxyId object, int contact, const Vec3& arm) {
-    grow(object);
-    if (touched_of(object) >= 0) return deformable_side(group, object, contact);
+    if (is_deformable(object)) return deformable_side(group, object, contact);
     const std::optional<RigidMass> mass = world_.contact_world.rigid_mass(object);
     if (!mass) return {};
     int& body = body_of_object_[object.index()];

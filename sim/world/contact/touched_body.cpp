@@ -14,12 +14,6 @@
 namespace griffith {
 namespace {
 
-Vec3 surface_position(const WorldState& world, const SurfacePoint& point) {
-  Vec3 position = Vec3::Zero();
-  for (int i = 0; i < 3; ++i) position += point.weights[i] * world.nodes.positions[point.nodes[i]];
-  return position;
-}
-
 /// Returns the index of one of a body's nodes.
 int place_of(const Body& body, NodeId node) {
   return static_cast<int>(std::lower_bound(body.nodes.begin(), body.nodes.end(), node) - body.nodes.begin());
@@ -79,7 +73,7 @@ TouchedPoint touched_node(const WorldState& world, NodeId node, const Vec3& plac
 
 TouchedPoint touched_point(const WorldState& world, const SurfaceSearch& surface, const Vec3& place) {
   const SurfacePoint point = surface.closest(place);
-  return {point, NodeId(), place, surface_position(world, point)};
+  return {point, NodeId(), place, point.interpolate(world.nodes.positions)};
 }
 
 TouchedBodies touched_bodies(const WorldState& world) {
@@ -146,8 +140,7 @@ double foresee_turn(const WorldState& world, TouchedBody& touched, double dt) {
   const Mat3 turn = free_turn(whole.inertia, whole.angular_velocity, dt);
   double change = 0;
   for (TouchedPoint& point : touched.points) {
-    Vec3 velocity = Vec3::Zero();
-    for (int i = 0; i < 3; ++i) velocity += point.surface.weights[i] * world.nodes.velocities[point.surface.nodes[i]];
+    const Vec3 velocity = point.surface.interpolate(world.nodes.velocities);
     const Vec3 arm = point.position - whole.center, deforming = velocity - whole.velocity_at(point.position);
     const Vec3 turned = turn * (arm + dt * deforming) - arm - dt * (velocity - whole.velocity);
     change = std::max(change, (turned - point.turned).norm());

@@ -77,9 +77,10 @@ void end_explicit_if_quiet(WorldState& world) {
     const double window = explicit_window(world, body);
     if (world.time - body.explicit_state->last_event < (1 - kRounding) * window) continue;
     end_explicit(world, body);
-    if (body.bonded && !body.supported()) {
+    const bool is_free = !body.supported();
+    if (is_free && body.bonded) {
       stop_vibration(world, body);  // its bonds hold, but do not act in implicit steps
-    } else if (!strained[body.id] && !body.supported()) {
+    } else if (is_free && !strained[body.id]) {
       make_rigid_if_unharmed(world, body);
     }
     if (body.is_deformable()) follow_deformation(world, body);
