@@ -221,6 +221,7 @@ struct ContactWorld::Impl : contact::ContactState {
   void find_first_pairs();
   int take_manifold();
   void give_back_manifold(int manifold);
+  void compact_manifolds();
   const contact::Box& present_box(const contact::Object& object, int part) const;
   bool parts_may_touch(const contact::Pair& pair, double gap) const;
   void list_close_pairs(double dt);

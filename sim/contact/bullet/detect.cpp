@@ -52,6 +52,7 @@ void ContactWorld::Impl::detect(double dt) {
   elastic_contacts.clear();
   if (all_at_rest()) return;
   update_pairs(update_boxes(dt));
+  compact_manifolds();
   find_points(dt);
   update_allowances();
   wake_disturbed(dt);

@@ -93,10 +93,23 @@ void find_ground_points(Manifold& manifold, const Hull& hull, const Place& place
   set_points(manifold, {found.data(), count}, hull_is_a ? Vec3(Vec3::UnitY()) : Vec3(-up), a_in_b, tolerance);
 }
 
-/// True if the bounding spheres of two objects come within `gap` [m] of each other.
-bool spheres_meet(const Object& a, const Object& b, double gap) {
-  const double reach = a.shape.radius + b.shape.radius + gap;
-  return (a.place.translation - b.place.translation).squaredNorm() < reach * reach;
+/// Sphere around a part of an object, or around all of it.
+struct Sphere {
+  Vec3 center;
+  double radius;
+
+  bool meets(const Sphere& other, double gap) const {
+    const double reach = radius + other.radius + gap;
+    return (center - other.center).squaredNorm() < reach * reach;
+  }
+};
+
+Sphere sphere_around(const Object& object) { return {object.place.translation, object.shape.radius}; }
+
+Sphere sphere_around(const Object& object, int part) {
+  if (object.is_sphere()) return sphere_around(object);
+  const Hull& hull = object.shape.hull(part);
+  return {object.place.to_world(hull.center), hull.outer_radius};
 }
 
 }  // namespace
@@ -251,6 +264,21 @@ void ContactWorld::Impl::give_back_manifold(int manifold) {
   free_manifolds.push_back(manifold);
 }
 
+/// Moves the manifolds in use together once most are not in use: debris that flies apart needs many for a moment, and
+/// every copy of the world would keep their memory.
+void ContactWorld::Impl::compact_manifolds() {
+  if (2 * free_manifolds.size() <= manifolds.size()) return;
+  std::vector<Manifold> used;
+  used.reserve(manifolds.size() - free_manifolds.size());
+  for (Pair& pair : pairs) {
+    if (pair.manifold < 0) continue;
+    used.push_back(manifolds[pair.manifold]);
+    pair.manifold = static_cast<int>(used.size()) - 1;
+  }
+  manifolds = std::move(used);
+  free_manifolds.clear();
+}
+
 /// Removes pairs whose boxes have separated, of objects with new boxes.
 void ContactWorld::Impl::drop_parted_pairs(const std::vector<bool>& moved) {
   const auto low = [&](int object, int part) { return tree.box(objects[object].leaves[part]).low.y(); };
@@ -316,7 +344,9 @@ bool ContactWorld::Impl::parts_may_touch(const Pair& pair, double gap) const {
   const Object &a = objects[pair.a], &b = objects[pair.b];
   if (a.kind == Kind::ground) return present_box(b, pair.part_b).low.y() <= ground_height;
   if (b.kind == Kind::ground) return present_box(a, pair.part_a).low.y() <= ground_height;
-  return spheres_meet(a, b, gap) && present_box(a, pair.part_a).meets(present_box(b, pair.part_b));
+  return sphere_around(a).meets(sphere_around(b), gap) &&
+         present_box(a, pair.part_a).meets(present_box(b, pair.part_b)) &&
+         sphere_around(a, pair.part_a).meets(sphere_around(b, pair.part_b), gap);
 }
 
 /// Lists the pairs that may touch and of which one side may have moved. Only these need a manifold, besides those at
