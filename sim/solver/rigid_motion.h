@@ -20,6 +20,9 @@ struct RigidMotion {
 /// [kg]. They must not all lie on one line.
 RigidMotion rigid_motion(const NodeVectors& positions, const NodeVectors& velocities, const Eigen::VectorXd& masses);
 
+/// Returns the rigid motion of two bodies that have become one, with the momentum of both.
+RigidMotion joined_motion(const RigidMotion& a, const RigidMotion& b);
+
 /// Velocities of a point at an arm from the center by the six rigid motions, unit velocities along the axes and unit
 /// rotations about them: [I, −[arm]×].
 using RigidModes = Eigen::Matrix<double, 3, 6>;

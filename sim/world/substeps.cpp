@@ -12,6 +12,7 @@
 #include "sim/world/impacts/struck_bodies.h"
 #include "sim/world/regime/part_at_bonds.h"
 #include "sim/world/regime/regime_change.h"
+#include "sim/world/regime/torn_bonds.h"
 
 namespace griffith {
 namespace {
@@ -80,14 +81,17 @@ void begin_explicit_if_bonds_loaded(WorldState& world) {
 
 /// Leaves the rest of the step to the implicit step.
 void cancel_explicit(WorldState& world) {
+  std::vector<BodyId> ended;
   for (Body& body : world.bodies) {
     if (!body.explicit_state) continue;
     end_explicit(world, body);
+    ended.push_back(body.id);
     ++world.report.unfinished_explicit;
   }
-  part_at_torn_bonds(world);
-  for (Body& body : world.bodies)
-    if (body.explicit_ended == world.time && body.is_deformable() && !body.supported()) stop_vibration(world, body);
+  for (const BodyId id : part_at_torn_bonds(world, ended)) {
+    Body& body = world.bodies[id];
+    if (body.is_deformable() && !body.supported()) stop_vibration(world, body);
+  }
   part_at_bonds(world);
 }
 

@@ -11,6 +11,7 @@
 #include "sim/world/fracture/separation_phase.h"
 #include "sim/world/motion/elastic_phase.h"
 #include "sim/world/regime/regime_change.h"
+#include "sim/world/regime/torn_bonds.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {
@@ -69,22 +70,34 @@ bool run_explicit(WorldState& world, std::vector<explicit_dynamics::Obstacle> ob
   return true;
 }
 
+namespace {
+
+/// Makes a body rigid whose waves have died down, if it may be.
+void settle(WorldState& world, Body& body, bool strained) {
+  if (!body.supported() && body.bonded) {
+    stop_vibration(world, body);  // its bonds hold, but do not act in implicit steps
+  } else if (!body.supported() && !strained) {
+    make_rigid_if_unharmed(world, body);
+  }
+  if (body.is_deformable()) follow_deformation(world, body);
+}
+
+}  // namespace
+
 void end_explicit_if_quiet(WorldState& world) {
   constexpr double kRounding = 1e-9;
-  const std::vector<bool> strained = strained_bodies(world, world.time);
+  std::vector<BodyId> ended;
   for (Body& body : world.bodies) {
     if (!body.explicit_state) continue;
     const double window = explicit_window(world, body);
     if (world.time - body.explicit_state->last_event < (1 - kRounding) * window) continue;
     end_explicit(world, body);
-    const bool is_free = !body.supported();
-    if (is_free && body.bonded) {
-      stop_vibration(world, body);  // its bonds hold, but do not act in implicit steps
-    } else if (is_free && !strained[body.id]) {
-      make_rigid_if_unharmed(world, body);
-    }
-    if (body.is_deformable()) follow_deformation(world, body);
+    ended.push_back(body.id);
   }
+  if (ended.empty()) return;
+  const std::vector<BodyId> pieces = part_at_torn_bonds(world, ended);
+  const std::vector<bool> strained = strained_bodies(world, world.time);
+  for (const BodyId id : pieces) settle(world, world.bodies[id], strained[id]);
 }
 
 }  // namespace griffith

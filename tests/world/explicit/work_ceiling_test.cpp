@@ -88,36 +88,5 @@ TEST(WorkCeiling, TheNumberOfThreadsChangesNoBit) {
   EXPECT_EQ(hashes[2], hashes[0]);
 }
 
-/// A disc of concrete in free flight that spins at 1.5 times its bursting speed.
-Scene bursting_disc(double budget) {
-  Scene scene;
-  scene.gravity.setZero();
-  scene.ground.reset();
-  scene.simulation.time_step = 1.0 / 240;
-  scene.simulation.step_budget = budget;
-  BodyDescription& disc = scene.bodies.emplace_back();
-  disc.shape = DiscShape{0.5, 0.05, Vec2(0.07, 0.05)};
-  disc.material = *find_material_preset("concrete");
-  disc.angular_velocity = Vec3(0, 0, 167.7);
-  return scene;
-}
-
-TEST(WorkCeiling, ABodyThatBurstsFliesApartBeyondTheCeiling) {
-  World world(bursting_disc(0.5));
-  const Totals before = world.frame().totals;
-  int unfinished = 0;
-  for (int step = 0; step < 2; ++step) {
-    world.step();
-    unfinished += world.frame().report.unfinished_explicit;
-  }
-  EXPECT_GT(unfinished, 0);
-  const Frame frame = world.frame();
-  double largest = 0;
-  for (const BodyView& piece : frame.bodies) largest = std::max(largest, piece.mass);
-  EXPECT_GT(frame.bodies.size(), 40);
-  EXPECT_LT(largest, 0.1 * before.mass);
-  EXPECT_GT(frame.totals.kinetic_energy, 0.99 * before.kinetic_energy);
-}
-
 }  // namespace
 }  // namespace griffith
