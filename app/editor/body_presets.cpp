@@ -3,6 +3,7 @@
 #include "app/editor/new_entry.h"
 #include "app/editor/placed_surface.h"
 #include "app/editor/starting_scene.h"
+#include "sim/scene/scene_paths.h"
 #include "sim/scene/scene_reader.h"
 #include "ui/model/region_outline.h"
 #include "ui/model/scene_entry.h"
@@ -42,8 +43,7 @@ std::vector<BodyDescription> brick_wall() {
 std::vector<BodyDescription> vase(const std::filesystem::path& sample, const std::filesystem::path& folder) {
   BodyDescription body = read_scene(sample).bodies.front();
   auto& shape = std::get<SurfaceShape>(body.shape);
-  const std::filesystem::path surface = absolute(sample.parent_path() / shape.path).lexically_normal();
-  shape.path = folder.empty() ? surface : surface.lexically_proximate(absolute(folder).lexically_normal());
+  shape.path = path_from_scene(sample.parent_path() / shape.path, folder);
   return {body};
 }
 

@@ -7,6 +7,7 @@
 #include "app/picture/placed_tets.h"
 #include "sim/meshing/mesh_quality.h"
 #include "sim/meshing/surface.h"
+#include "sim/scene/scene_paths.h"
 #include "ui/model/scene_entry.h"
 
 namespace griffith::app {
@@ -35,13 +36,6 @@ BodyDescription standing_body(const SurfaceShape& shape, const Scene& scene, dou
   return body;
 }
 
-/// Makes a file's path relative to the scene's folder, if it has one.
-void make_relative(BodyDescription& body, const fs::path& folder) {
-  if (folder.empty()) return;
-  fs::path& path = std::get<SurfaceShape>(body.shape).path;
-  path = path.lexically_proximate(fs::absolute(folder).lexically_normal());
-}
-
 std::string formatted(const char* format, auto... values) {
   char text[160];
   std::snprintf(text, sizeof text, format, values...);
@@ -65,7 +59,7 @@ std::function<Scene(const Monitor&)> scene_with_surface(const ui::SurfaceRequest
   return [scene = std::move(scene), shape = shape_of(request), free_x](const Monitor& monitor) {
     if (monitor.stage) monitor.stage("Reading the surface");
     BodyDescription body = standing_body(shape, scene, free_x, monitor);
-    make_relative(body, scene.folder);
+    std::get<SurfaceShape>(body.shape).path = path_from_scene(shape.path, scene.folder);
     Scene extended = scene;
     extended.bodies.push_back(std::move(body));
     return extended;

@@ -27,4 +27,10 @@ std::vector<std::filesystem::path*> paths_in(Scene& scene) {
   return paths;
 }
 
+std::filesystem::path path_from_scene(const std::filesystem::path& file, const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  const fs::path start = folder.empty() ? fs::current_path() : fs::absolute(folder);
+  return fs::absolute(file).lexically_normal().lexically_proximate(start.lexically_normal());
+}
+
 }  // namespace griffith

@@ -161,6 +161,35 @@ TEST_F(EditorFiles, SavingKeepsTheSchemaAndMaterialsThatNoBodyHas) {
   EXPECT_EQ(read_scene(own).materials.at(0).density, 7);
 }
 
+/// Expects that the first body of a scene file names a surface, relative to the file.
+void expect_relative(const fs::path& scene, const fs::path& surface) {
+  const fs::path path = std::get<SurfaceShape>(read_scene(scene).bodies.at(0).shape).path;
+  EXPECT_TRUE(path.is_relative()) << path;
+  EXPECT_EQ((scene.parent_path() / path).lexically_normal(), surface);
+}
+
+TEST_F(EditorFiles, WhatWasAddedWithoutAFileIsNamedFromTheFolderOfTheScene) {
+  const fs::path scenes = fs::path(GRIFFITH_SOURCE_DIR) / "scenes";
+  fs::create_directories(test_folder() / "a/b");
+  editor_.execute({.name = "file.new", .discard_edits = true});
+  editor_.execute({.name = "add.vase"});
+  draw();
+  wait_for_work();
+  const std::uint64_t hash = editor_.run().timeline().world().state_hash();
+  for (const char* name : {"near.json", "a/b/far.json", "near.json"}) {
+    const fs::path file = test_folder() / name;
+    editor_.execute({.name = "file.save", .path = file, .replace = true});
+    expect_relative(file, scenes / "meshes/vase.obj");
+    draw();
+    wait_for_work();
+    EXPECT_EQ(editor_.run().timeline().world().state_hash(), hash);
+  }
+  editor_.builder().open(test_folder() / "a/b/far.json");
+  wait_for_work();
+  EXPECT_FALSE(editor_.state().error);
+  EXPECT_EQ(editor_.run().timeline().world().state_hash(), hash);
+}
+
 TEST_F(EditorFiles, EditsAreCopiedOnceAMinuteUntilTheyAreSaved) {
   const fs::path own = small_wall_file();
   editor_.builder().open(own);
