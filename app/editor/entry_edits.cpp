@@ -39,7 +39,8 @@ void add_to_body(ui::EditHistory& history, ui::EditorState& state, const Frame& 
 
 /// Lists a material of its own name among the scene's, as in a scene that was read.
 void offer_material(const Material& material, Scene& scene) {
-  const bool is_known = find_material_preset(material.name).has_value() ||
+  const auto has_name = [&](const MaterialPreset& preset) { return preset.material.name == material.name; };
+  const bool is_known = std::ranges::any_of(material_presets(), has_name) ||
                         std::ranges::find(scene.materials, material.name, &Material::name) != scene.materials.end();
   if (!is_known) scene.materials.push_back(material);
 }

@@ -291,6 +291,7 @@ TEST_F(Arrange, ATableStandsWholeAndABrickWallBreaks) {
   execute("file.new");
   execute("add.table");
   ASSERT_EQ(scene().bodies.size(), 5u);
+  EXPECT_TRUE(scene().materials.empty()) << "presets are offered anyway, and files name them";
   const auto height = [&] {
     const Frame frame = editor_.run().frame();
     double top = -1;
