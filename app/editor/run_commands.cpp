@@ -7,6 +7,7 @@
 #include "app/editor/entry_edits.h"
 #include "app/editor/holding_edits.h"
 #include "app/editor/messages.h"
+#include "app/editor/picking.h"
 
 namespace griffith::app {
 using ui::CommandArgument;
@@ -240,6 +241,13 @@ const EditorCommand kRunCommands[] = {
        e.builder().follow_edits();
        e.analysis().explain_holding();
      }},
+    {{.name = "time.stopped_node",
+      .label = "Select the cracking node",
+      .hint = "Select the node before whose crack the simulation has stopped, so that the panel explains it",
+      .menu = Menu::simulation,
+      .group = 1,
+      .disabled_reason = not_stopped_before_a_crack},
+     [](Editor& e, const ui::Command&) { select_node(e.state(), e.run().frame(), e.state().stop->node); }},
     {{.name = "time.apply_strength",
       .label = "Apply strength",
       .hint = "Give the body the strength at which the node holds, from this step on, as a branch",

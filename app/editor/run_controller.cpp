@@ -38,6 +38,7 @@ void RunController::begin(BuiltWorld built) {
   travel_.reset();
   microsteps_.close();
   let_go();
+  last_stop_.reset();
   state_.comparison.branch.reset();
   utilizations_.clear();
   run_history_.restart(frame());
@@ -66,6 +67,16 @@ void RunController::leave_state() {
   state_.stop.reset();
   state_.log_passed = state_.log.size();
   passes_stop_ = false;
+}
+
+void RunController::return_to_stop() {
+  const bool is_there = last_stop_ && last_stop_->branch == timeline_.branch() && last_stop_->step == timeline_.step();
+  if (!is_there || state_.running || takes_recorded_step_) return;
+  timeline_.before_step();  // which applies the inputs of the step, such as a shot
+  passes_stop_ = true;
+  state_.stop = last_stop_->stop;
+  log_message(state_, ui::LogLevel::warning, "Stopped at " + moment_text() + ". " + state_.stop->reason,
+              ui::LogSpan::state);
 }
 
 void RunController::forget_contact() {
@@ -157,6 +168,7 @@ void RunController::follow_step(std::optional<World> before, std::optional<StepP
   if (before && stop_before_step(std::move(*before))) return;
   if (state_.steps_left > 0 && --state_.steps_left == 0) state_.running = false;
   leave_state();
+  return_to_stop();
   adopt_materials();
   remember();
   viewport_.follow_step(shown(), std::move(picture));
@@ -182,12 +194,10 @@ bool RunController::stop_before_step(World before) {
       met_breakpoint(state_.breakpoints, before.frame(), frame(), state_.selected_body, state_.selection);
   if (!stop) return false;
   timeline_.take_back(std::move(before));
-  arrive();
   state_.running = false;
-  passes_stop_ = true;
+  last_stop_ = StopPlace{timeline_.branch(), timeline_.step(), *stop};
+  arrive();
   if (stop->node.valid()) select_node(state_, frame(), stop->node);
-  log_message(state_, ui::LogLevel::warning, "Stopped at " + moment_text() + ". " + stop->reason, ui::LogSpan::state);
-  state_.stop = std::move(stop);
   return true;
 }
 

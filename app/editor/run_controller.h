@@ -108,11 +108,20 @@ class RunController {
   ui::TimeView time_view() const;
 
  private:
+  /// A stop of this run and its place. Other inputs there begin another branch, so it stays valid.
+  struct StopPlace {
+    int branch = 0;
+    std::int64_t step = 0;
+    ui::Stop stop;
+  };
+
   void begin(BuiltWorld built);
   WorldVersion version() const;
   void remember();
   /// Clears the stop and the messages of the shown state.
   void leave_state();
+  /// Shows the last stop if the run stands there, or stands there again.
+  void return_to_stop();
   /// Clears a picked contact, which is one of the shown state.
   void forget_contact();
   /// True if the world accepted the material; else the edit is undone.
@@ -167,6 +176,7 @@ class RunController {
   MicrostepPlayer microsteps_{state_};
   bool takes_recorded_step_ = false;  ///< the step after the way's end is recorded, then taken
   bool waits_for_steps_ = true;
+  std::optional<StopPlace> last_stop_;
   bool passes_stop_ = false;  ///< makes the next step despite its breakpoint
 };
 

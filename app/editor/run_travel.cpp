@@ -76,6 +76,7 @@ std::string RunController::travel_stage() const {
 void RunController::arrive() {
   ++arrivals_;
   leave_state();
+  return_to_stop();
   adopt_materials();
   utilizations_.forget_from(frame().time);
   pace_.restart();

@@ -132,6 +132,63 @@ TEST_F(TimeTest, StopsBeforeACrackWithTheNodeStillWhole) {
   EXPECT_NEAR(coming.eigenvalues[0], crack.eigenvalue, 1e-6 * crack.eigenvalue) << "the tensor that was shown";
 }
 
+TEST_F(TimeTest, TheStopIsShownAgainWhenTheRunStandsThereAgain) {
+  editor_.state().breakpoints.crack = Breakpoints::Where::anywhere;
+  fire();
+  run_until_stopped();
+  ASSERT_GT(step(), 0);
+  const std::string reason = value("time/stopped"), verdict = value("inspector/verdict");
+  const std::int64_t stopped_at = step();
+  click("command/time.back");
+  EXPECT_FALSE(ui::find_tag(editor_.tags(), "time/stopped")) << "the crack is not in the next step";
+  click("command/simulation.step");
+  EXPECT_EQ(value("time/stopped"), reason);
+  EXPECT_EQ(value("inspector/verdict"), verdict);
+  EXPECT_THAT(value("status/message"), HasSubstr(reason));
+  click("command/time.start");
+  editor_.execute({.name = "time.step", .step = stopped_at});
+  draw();
+  EXPECT_EQ(value("time/stopped"), reason);
+  click("command/simulation.step");
+  EXPECT_EQ(step(), stopped_at + 1) << "it is passed as before";
+  EXPECT_FALSE(ui::find_tag(editor_.tags(), "time/stopped"));
+  click("command/time.back");
+  EXPECT_EQ(value("time/stopped"), reason);
+  choose_material("ice");
+  EXPECT_FALSE(ui::find_tag(editor_.tags(), "time/stopped")) << "of another branch nothing is known";
+}
+
+TEST_F(TimeTest, TheStopThatComesBackHasTheShotsOfItsStep) {
+  editor_.state().breakpoints.crack = Breakpoints::Where::anywhere;
+  fire();
+  run_until_stopped();
+  const std::int64_t stopped_at = step();
+  fire();
+  run_until_stopped();
+  ASSERT_EQ(step(), stopped_at);
+  const std::uint64_t hash = editor_.run().timeline().world().state_hash();
+  click("command/time.back");
+  click("command/simulation.step");
+  EXPECT_EQ(editor_.run().timeline().world().state_hash(), hash);
+  editor_.execute({.name = "time.start"});
+  editor_.execute({.name = "time.step", .step = stopped_at});
+  EXPECT_EQ(editor_.run().timeline().world().state_hash(), hash);
+}
+
+TEST_F(TimeTest, TheNodeOfAStopIsFoundAgain) {
+  editor_.state().breakpoints.crack = Breakpoints::Where::anywhere;
+  fire();
+  run_until_stopped();
+  const std::string verdict = value("inspector/verdict");
+  EXPECT_FALSE(ui::find_tag(editor_.tags(), "time/stopped_node")) << "it is selected";
+  editor_.execute({.name = "view.pick", .cursor = Vec2(0.01, 0.01)});
+  draw();
+  EXPECT_FALSE(editor_.state().selection.valid());
+  click("time/stopped_node");
+  EXPECT_EQ(editor_.state().selection.node, editor_.state().stop->node);
+  EXPECT_EQ(value("inspector/verdict"), verdict);
+}
+
 TEST_F(TimeTest, WhatWouldHaveHeldItHoldsIt) {
   editor_.state().breakpoints.crack = Breakpoints::Where::anywhere;
   fire();

@@ -125,14 +125,39 @@ float end_of_free_top(const Panel& panel, ImVec2 corner, ImVec2 end) {
   return legend_card(*legend, legend->corner, panel.input.fonts, {corner, end}, scale).minimum.x;
 }
 
-/// Shows the reason why the simulation stopped by itself, with the search for the value that would have held.
+constexpr float kHoldingWidth = 206, kStoppedNodeWidth = 190, kStopButtonGap = 8;  // [design pixels]
+
+/// True if the node before whose crack the run has stopped is not the selected one.
+bool looks_elsewhere(const Panel& panel) {
+  return panel.state.stop->node.valid() && panel.state.selection.node != panel.state.stop->node;
+}
+
+/// Returns the width of the buttons on the card of a stop [pixels].
+float stop_buttons_width(const Panel& panel) {
+  const float back = looks_elsewhere(panel) ? kStopButtonGap + kStoppedNodeWidth : 0;
+  return (kHoldingWidth + back) * ui_scale(panel);
+}
+
+/// Draws the search for the value that would have held, and the way back to the node.
+void draw_stop_buttons(Panel& panel) {
+  const auto button = [&](const char* tag, std::string_view command, float width) {
+    const CommandInfo& info = command_info(command, panel);
+    if (text_button(panel, tag, info.label.data(), width * ui_scale(panel))) issue(panel, {.name = info.name});
+  };
+  button("time/holding", "time.holding", kHoldingWidth);
+  if (!looks_elsewhere(panel)) return;
+  ImGui::SameLine(0, kStopButtonGap * ui_scale(panel));
+  button("time/stopped_node", "time.stopped_node", kStoppedNodeWidth);
+}
+
+/// Shows the reason why the simulation stopped by itself.
 void draw_stop_card(Panel& panel, ImVec2 corner, ImVec2 end) {
   const float height = stop_card_height(panel);
   if (height == 0) return;
   const std::string& reason = panel.state.stop->reason;
   const bool can_explain = panel.state.stop->node.valid();
   const float scale = ui_scale(panel), margin = 14 * scale, padding = 12 * scale;
-  const float width = std::max(ImGui::CalcTextSize(reason.c_str()).x + 2 * padding, 230 * scale);
+  const float width = std::max(ImGui::CalcTextSize(reason.c_str()).x, stop_buttons_width(panel)) + 2 * padding;
   const float most = end_of_free_top(panel, corner, end) - width - margin / 2;  // between other cards
   const ImVec2 low = {std::max(corner.x, std::min((corner.x + end.x - width) / 2, most)), corner.y + margin};
   draw_card(ImGui::GetWindowDrawList(), low, {low.x + width, low.y + height}, scale);
@@ -141,8 +166,7 @@ void draw_stop_card(Panel& panel, ImVec2 corner, ImVec2 end) {
   tag_last_item(panel.tags, "time/stopped", reason);
   if (!can_explain) return;
   ImGui::SetCursorScreenPos({low.x + padding, low.y + padding / 2 + ImGui::GetFontSize() + 6 * scale});
-  const CommandInfo& info = command_info("time.holding", panel);
-  if (text_button(panel, "time/holding", info.label.data(), 206 * scale)) issue(panel, {.name = info.name});
+  draw_stop_buttons(panel);
 }
 
 /// Handles the mouse in the active view.
