@@ -1,7 +1,9 @@
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "app/cli/commands.h"
@@ -52,12 +54,18 @@ class ScriptStage {
       if (request) editor_.files().save_window_picture(*request, target_.image(), editor_.tags(), graphics_);
       if (const auto file = player.take_picture_request()) save_picture(*file, target_.image());
       if (std::exchange(editor_.requests().screenshot, false)) save_picture(free_screenshot_path(), target_.image());
+      leave_processors();
     }
     if (const auto& error = editor_.state().error) throw InputError(error->where, error->problem, error->remedy);
     require_answers();
   }
 
  private:
+  /// Leaves the processors to work in the background as long as the window would.
+  void leave_processors() const {
+    if (!editor_.state().work.empty())
+      std::this_thread::sleep_for(std::chrono::duration<double>(editor_.seconds_to_next_frame()));
+  }
   /// Throws InputError if a request of the script still waits for an answer.
   void require_answers() const {
     const ui::EditorState& state = editor_.state();

@@ -14,7 +14,8 @@ namespace griffith::app {
 namespace {
 
 // Intervals at which an idle window redraws the progress of work, of a step, arriving pictures and the text cursor [s].
-constexpr double kWorkPause = 1.0 / 30, kStepPause = 0.1, kPicturePause = 0.1, kCursorPause = 0.4;
+// Frames take time from work in the background, most of all without graphics hardware.
+constexpr double kWorkPause = 0.1, kStepPause = 0.1, kPicturePause = 0.1, kCursorPause = 0.4;
 
 ui::EditorState state_for(const Scene& scene) {
   ui::EditorState state;
@@ -107,7 +108,7 @@ void Editor::draw_panels(const ui::Fonts& fonts) {
 }
 
 double Editor::seconds_to_next_frame() const {
-  const bool works = !run_.travel_stage().empty() || !files_.stage().empty() || analysis_.computes_comparison();
+  const bool works = !run_.travel_stage().empty() || files_.draws() || analysis_.computes_comparison();
   const bool plays = state_.running || (state_.microsteps && state_.microsteps->playing);
   if (!works && state_.waiting.empty() && run_.waits_for_step()) return kStepPause;
   if (plays || works || viewport_.draws_draft() || !state_.waiting.empty()) return kDrawAtOnce;

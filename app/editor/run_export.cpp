@@ -87,6 +87,7 @@ class BakeExport : public RunExport {
       return {};
     }
   }
+  bool in_background() const override { return true; }
 
  private:
   std::int64_t last_step_;

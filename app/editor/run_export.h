@@ -24,6 +24,8 @@ class RunExport {
   virtual std::string stage() const = 0;
   /// Cancels. Returns the completed part in the form of advance(); empty: nothing.
   virtual std::string cancel() = 0;
+  /// True if the work is done beside the drawn frames, which take processors from it.
+  virtual bool in_background() const { return false; }
 };
 
 /// View of the pictures of a run.

@@ -44,6 +44,8 @@ class RunFiles {
   void go_on();
   /// Describes the progress of an export; empty if there is none.
   std::string stage() const { return export_ ? export_->stage() : std::string(); }
+  /// True if the drawn frames continue an export.
+  bool draws() const { return export_ && !export_->in_background(); }
 
   /// Returns a pending request for a picture of the window, once; save it with one of the next drawn frame.
   std::optional<PictureRequest> take_picture_request();

@@ -184,6 +184,7 @@ class BatchRender : public RunExport {
     result_.wait();
     return {};
   }
+  bool in_background() const override { return true; }
 
  private:
   std::string run(const std::vector<std::string>& command) {

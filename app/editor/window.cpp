@@ -298,7 +298,7 @@ void loop(Editor& editor, ImGuiContextOwner& imgui, const Window& window, Window
   double last = glfwGetTime();
   for (int drawn = 0; !editor.requests().quit;) {
     const bool waits_for_reader = editor.state().caption && editor.state().caption->answer == ui::Caption::Answer::none;
-    const bool plays = exit_after > 0 || (player && !waits_for_reader);
+    const bool plays = exit_after > 0 || (player && !waits_for_reader && !ui::is_busy(editor.state()));
     const bool draws = wait_for_frame(schedule, seconds_to_next_frame(editor, input, plays), step_ended);
     if (glfwWindowShouldClose(window.handle())) {
       glfwSetWindowShouldClose(window.handle(), GLFW_FALSE);

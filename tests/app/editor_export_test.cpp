@@ -49,6 +49,17 @@ TEST_F(ExportTest, TheDialogProposesAFileForOtherPrograms) {
   EXPECT_EQ(editor_.run().timeline().world().state_hash(), hash) << "what is shown stays";
 }
 
+TEST_F(ExportTest, TheWindowLeavesTheProcessorsToWhatGoesOnBesideIt) {
+  run(5);
+  write(test_folder() / "run.glb");
+  EXPECT_GE(editor_.seconds_to_next_frame(), 0.05);
+  wait_for_work();
+  write(test_folder() / "wall.png");
+  EXPECT_EQ(editor_.seconds_to_next_frame(), 0) << "each frame draws a picture";
+  wait_for_work();
+  EXPECT_GT(editor_.seconds_to_next_frame(), 1);
+}
+
 TEST_F(ExportTest, PicturesAreNumberedByTheirSteps) {
   run(3);
   write(test_folder() / "wall.png");
