@@ -122,10 +122,12 @@ Camera frame_bounds(const Camera& camera, const Eigen::AlignedBox3f& bounds, flo
 
 bool shows(const Camera& camera, const Eigen::AlignedBox3f& box, float aspect) {
   const Axes eye = axes(camera);
-  const Vector3f way = box.center() - camera.position;
-  const float reach = eye.forward.dot(way) * tangent_of_half_angle(camera);  // half the picture's height there
-  return !box.contains(camera.position) && std::abs(eye.up.dot(way)) <= reach &&
-         std::abs(eye.right.dot(way)) <= aspect * reach;
+  for (int i = 0; i < 8; ++i) {
+    const Vector3f way = box.corner(static_cast<Eigen::AlignedBox3f::CornerType>(i)) - camera.position;
+    const float reach = eye.forward.dot(way) * tangent_of_half_angle(camera);  // half the picture's height there
+    if (std::abs(eye.up.dot(way)) > reach || std::abs(eye.right.dot(way)) > aspect * reach) return false;
+  }
+  return true;
 }
 
 Camera far_camera(const Camera& camera, const Eigen::Vector3f& toward_eye) {

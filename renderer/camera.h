@@ -50,7 +50,7 @@ Camera zoom(const Camera& camera, float factor);
 /// in the picture. An empty box changes nothing.
 Camera frame_bounds(const Camera& camera, const Eigen::AlignedBox3f& bounds, float aspect);
 
-/// True if the eye is outside of a box, which is not empty, and the center of the box in a picture of shape `aspect`.
+/// True if all of a box, which is not empty, is in a picture of shape `aspect`.
 bool shows(const Camera& camera, const Eigen::AlignedBox3f& box, float aspect);
 
 /// Returns a camera with the same target and the same height of the view there, whose eye is in the given direction,

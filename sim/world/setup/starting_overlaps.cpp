@@ -22,7 +22,7 @@ using Depths = std::map<std::pair<int, int>, double>;
 using Boxes = std::vector<Eigen::AlignedBox3d>;
 
 /// Returns the boxes of the scene bodies.
-Boxes boxes_round(const Scene& scene, const Frame& frame) {
+Boxes boxes_of(const Scene& scene, const Frame& frame) {
   Boxes boxes(scene.bodies.size());
   for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet)
     for (const NodeId corner : frame.elements.tets[tet])
@@ -37,7 +37,7 @@ void add_ground(const Scene& scene, const Boxes& boxes, Depths& depths) {
 }
 
 /// Adds overlapping pairs. All bodies are free here: two held ones have no contacts but may overlap.
-void add_pairs(const Frame& frame, Depths& depths) {
+void add_pairs(const Frame& frame, const Boxes& boxes, Depths& depths) {
   ContactWorld contacts(Vec3::Zero());
   std::vector<ContactWorld::Proxy> proxies;
   for (const BodyView& body : frame.bodies) {
@@ -45,16 +45,16 @@ void add_pairs(const Frame& frame, Depths& depths) {
     state.pose = {body.center_of_mass, body.orientation};
     proxies.push_back({body.collision_parts, {body.mass, Mat3::Identity()}, Mobility::free, state, {}});
   }
-  std::map<ProxyId, int> scene_body;
   const std::vector<ProxyId> ids = contacts.add_proxies(proxies);
-  for (std::size_t i = 0; i < ids.size(); ++i) scene_body[ids[i]] = frame.bodies[i].scene_body;
   contacts.detect();
-  for (const Contact& contact : contacts.contacts()) {
-    const auto [first, second] = std::minmax({scene_body.at(contact.a), scene_body.at(contact.b)});
-    if (first == second) continue;
-    double& depth = depths[{first, second}];
-    depth = std::max(depth, -contact.distance);
-  }
+  for (std::size_t i = 0; i < ids.size(); ++i)
+    for (std::size_t j = i + 1; j < ids.size(); ++j) {
+      const auto [first, second] = std::minmax({frame.bodies[i].scene_body, frame.bodies[j].scene_body});
+      if (first == second || !boxes[first].intersects(boxes[second])) continue;
+      // What overlaps when first seen remains allowed, also where contacts on opposite sides are dropped.
+      double& depth = depths[{first, second}];
+      depth = std::max(depth, contacts.allowed_overlap(ids[i], ids[j]));
+    }
 }
 
 InputError finding(const Scene& scene, const std::pair<int, int>& pair, double depth) {
@@ -69,10 +69,10 @@ InputError finding(const Scene& scene, const std::pair<int, int>& pair, double d
 }  // namespace
 
 std::vector<InputError> starting_overlaps(const Scene& scene, const Frame& start) {
-  const Boxes boxes = boxes_round(scene, start);
+  const Boxes boxes = boxes_of(scene, start);
   Depths depths;
   add_ground(scene, boxes, depths);
-  add_pairs(start, depths);
+  add_pairs(start, boxes, depths);
   std::erase_if(depths, [&](const auto& entry) {
     const auto& [first, second] = entry.first;
     const double size = boxes[second].diagonal().norm();

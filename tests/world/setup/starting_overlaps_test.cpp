@@ -13,6 +13,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 BodyDescription box(const std::string& name, const Vec3& size, const Vec3& position) {
   BodyDescription body;
@@ -63,6 +64,18 @@ TEST(StartingOverlaps, BodiesThatAreHeldCountToo) {
   scene.bodies = {box("left", Vec3::Ones(), Vec3::Zero()), box("right", Vec3::Ones(), Vec3(0.5, 0, 0))};
   for (BodyDescription& body : scene.bodies) body.supports = {{BoxRegion{Vec3(-1, -1, -1), Vec3(1, -0.5, 1)}}};
   EXPECT_EQ(overlaps_of(scene).size(), 1u);
+}
+
+/// Its convex parts overlap the pane on both sides, where contacts would clamp it.
+TEST(StartingOverlaps, ThinPanesInsideAHollowBodyCount) {
+  Scene scene = read_scene(std::filesystem::path(GRIFFITH_SOURCE_DIR) / "scenes" / "vase_shot.json");
+  scene.bodies.resize(1);
+  scene.projectiles.clear();
+  BodyDescription& pane = scene.bodies.emplace_back(box("pane", Vec3(3, 0.01, 3), Vec3::Zero()));
+  for (const double height : {0.05, 0.3, 0.45}) {
+    pane.position = scene.bodies.front().position + Vec3(0, height, 0);
+    EXPECT_THAT(overlaps_of(scene), Not(IsEmpty())) << height;
+  }
 }
 
 TEST(StartingOverlaps, ShippedScenesHaveNone) {
