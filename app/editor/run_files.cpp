@@ -53,7 +53,15 @@ void RunFiles::ask_where_to_save(ui::SavedKind kind, fs::path proposed) {
   state_.save_as = ui::save_target(proposed, kind);
 }
 
-Recording RunFiles::recorded_run() const {
+namespace {
+
+OutsideFiles outside_files(const ui::Command& command) {
+  return command.pack_outside ? OutsideFiles::pack : OutsideFiles::refuse;
+}
+
+}  // namespace
+
+Recording RunFiles::recorded_run(OutsideFiles outside) const {
   Scene scene = run_.world().scene();
   for (const fs::path* path : paths_in(scene)) {
     const fs::path file = file_path(scene.folder, *path);
@@ -61,25 +69,26 @@ Recording RunFiles::recorded_run() const {
       throw InputError(file.string(), "has changed since the run began",
                        "Reset restarts with the current file; its earlier content is unknown");
   }
-  return record(run_.timeline());
+  return record(run_.timeline(), outside);
 }
 
 void RunFiles::save_recording(const ui::Command& command) {
   if (!may_replace(state_, command, command.path)) return;
-  const Recording recording = recorded_run();
+  const Recording recording = recorded_run(outside_files(command));
   write_recording(recording, command.path);
   log(ui::LogLevel::info, "Recorded " + std::to_string(recording.steps()) + " steps in " + command.path.string());
 }
 
 void RunFiles::save_report(const ui::Command& command) {
-  if (may_replace(state_, command, command.path)) requested_picture_ = {ui::SavedKind::bug_report, command.path};
+  if (may_replace(state_, command, command.path))
+    requested_picture_ = {ui::SavedKind::bug_report, command.path, outside_files(command)};
 }
 
 void RunFiles::save_plots(const ui::Command& command) {
   if (!may_replace(state_, command, command.path)) return;
   if (command.path.extension() == ".png") {
     state_.plots.shown = state_.plots.for_picture = true;
-    requested_picture_ = {ui::SavedKind::plots, command.path};
+    requested_picture_ = PictureRequest{.kind = ui::SavedKind::plots, .file = command.path};
     return;
   }
   const ui::RunCurves curves = analysis_.plotted_curves();
@@ -138,7 +147,7 @@ void RunFiles::save_window_picture(const PictureRequest& request, const render::
   state_.plots.for_picture = false;
   try {
     if (request.kind == ui::SavedKind::plots) return save_plots_picture(request.file, window, tags);
-    save_report_picture(request.file, window, graphics);
+    save_report_picture(request, window, graphics);
   } catch (const InputError& problem) {
     show_error(state_, problem);
   }
@@ -156,12 +165,13 @@ void RunFiles::save_plots_picture(const fs::path& path, const render::Image& win
   log(ui::LogLevel::info, "Saved the plots as " + path.string());
 }
 
-void RunFiles::save_report_picture(const fs::path& path, const render::Image& window, const std::string& graphics) {
-  Recording recording = recorded_run();
+void RunFiles::save_report_picture(const PictureRequest& request, const render::Image& window,
+                                   const std::string& graphics) {
+  Recording recording = recorded_run(request.outside);
   recording.versions.emplace_back("graphics", graphics);
   add_report(recording, {log_text(state_.log), window});
-  write_recording(recording, path);
-  log(ui::LogLevel::info, "Saved the bug report " + path.string() + "; griffith replay repeats the run");
+  write_recording(recording, request.file);
+  log(ui::LogLevel::info, "Saved the bug report " + request.file.string() + "; griffith replay repeats the run");
 }
 
 void RunFiles::log(ui::LogLevel level, std::string text) { log_message(state_, level, std::move(text)); }

@@ -16,6 +16,7 @@ namespace griffith::app {
 struct PictureRequest {
   ui::SavedKind kind = ui::SavedKind::bug_report;
   std::filesystem::path file;
+  OutsideFiles outside = OutsideFiles::refuse;  ///< for a bug report
 };
 
 /// Files made from the run: recordings, bug reports, series and exports.
@@ -57,10 +58,10 @@ class RunFiles {
  private:
   /// Returns a recording of the current branch. Throws InputError if files of its scene have changed since the world
   /// was built.
-  Recording recorded_run() const;
+  Recording recorded_run(OutsideFiles outside) const;
   /// Throws InputError.
   void save_plots_picture(const std::filesystem::path& path, const render::Image& window, const ui::WidgetTags& tags);
-  void save_report_picture(const std::filesystem::path& path, const render::Image& window, const std::string& graphics);
+  void save_report_picture(const PictureRequest& request, const render::Image& window, const std::string& graphics);
   void log(ui::LogLevel level, std::string text);
 
   ui::EditorState& state_;

@@ -117,9 +117,10 @@ class AssetCollector {
     std::error_code ignored;
     const bool outside = fs::exists(file, ignored) && !is_within(folder_, file);
     if (outside && !folder_.empty() && outside_ == OutsideFiles::refuse)
-      throw InputError(file.string(),
-                       "is outside the scene's folder " + folder_.string() + ", and is not packed by default",
-                       "copy it into that folder and name it there, or pack it with --pack-outside");
+      throw InputError(
+          file.string(), "is outside the scene's folder " + folder_.string() + ", and is not packed by default",
+          "copy it into that folder and name it there, or pack it as it is: tick \"Pack files from outside the "
+          "scene's folder\" where the editor asks for a name, or give --pack-outside");
     return read_file(file);
   }
 

@@ -74,8 +74,8 @@ Recording begin_recording(const World& world, OutsideFiles outside) {
   return {std::move(assets.scene), std::move(assets.files), {}, {world.state_hashes()}, versions_here(), {}};
 }
 
-Recording record(const Timeline& timeline) {
-  Recording recording = begin_recording(timeline.world());
+Recording record(const Timeline& timeline, OutsideFiles outside) {
+  Recording recording = begin_recording(timeline.world(), outside);
   recording.inputs = timeline.inputs();
   recording.hashes = timeline.hashes();
   return recording;

@@ -41,7 +41,7 @@ enum class OutsideFiles { refuse, pack };
 /// Throws InputError if one cannot be read any more, or if it is outside the scene's folder and `outside` refuses it.
 Recording begin_recording(const World& world, OutsideFiles outside = OutsideFiles::refuse);
 /// Returns the present branch of a timeline that began with the start of its world. Throws as begin_recording() does.
-Recording record(const Timeline& timeline);
+Recording record(const Timeline& timeline, OutsideFiles outside = OutsideFiles::refuse);
 
 /// Returns all files of the recording, as its archive holds them.
 FileTree files_of(const Recording& recording);

@@ -190,6 +190,25 @@ TEST_F(EditorFiles, WhatWasAddedWithoutAFileIsNamedFromTheFolderOfTheScene) {
   EXPECT_EQ(editor_.run().timeline().world().state_hash(), hash);
 }
 
+TEST_F(EditorFiles, RecordingsHoldFilesFromElsewhereIfOneSaysSo) {
+  editor_.execute({.name = "file.new", .discard_edits = true});
+  editor_.execute({.name = "add.vase"});
+  draw();
+  wait_for_work();
+  editor_.execute({.name = "file.save", .path = test_folder() / "vase.json"});
+  editor_.builder().open(test_folder() / "vase.json");
+  wait_for_work();
+  const fs::path file = test_folder() / "vase.tar.zst";
+  editor_.execute({.name = "file.write_recording", .path = file});
+  ASSERT_TRUE(editor_.state().error);
+  EXPECT_THAT(editor_.state().error->remedy, ::testing::HasSubstr("Pack files from outside the scene's folder"));
+  EXPECT_FALSE(fs::exists(file));
+  editor_.state().error.reset();
+  editor_.execute({.name = "file.write_recording", .path = file, .pack_outside = true});
+  EXPECT_FALSE(editor_.state().error);
+  EXPECT_TRUE(fs::exists(file));
+}
+
 TEST_F(EditorFiles, EditsAreCopiedOnceAMinuteUntilTheyAreSaved) {
   const fs::path own = small_wall_file();
   editor_.builder().open(own);

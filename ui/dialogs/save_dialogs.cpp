@@ -63,7 +63,9 @@ std::string_view extension_of(SavedKind kind) { return format_of(kind).extension
 
 SaveTarget save_target(const std::filesystem::path& file, SavedKind kind) {
   const std::filesystem::path whole = std::filesystem::absolute(file).lexically_normal();
-  SaveTarget target{kind, whole.parent_path(), {}, {}};
+  SaveTarget target;
+  target.kind = kind;
+  target.folder = whole.parent_path();
   set_name(target, whole.filename().string());
   return target;
 }
@@ -97,10 +99,14 @@ void draw_save_dialog(Panel& panel) {
   if (target->kind == SavedKind::exported)
     for (const std::string& line : panel.input.export_hints) hint(panel, line);
   if (target->kind == SavedKind::plots) hint(panel, "Values of all steps: .csv; picture of the plots: .png");
+  if (target->kind == SavedKind::recording || target->kind == SavedKind::bug_report)
+    checkbox(panel, "save/pack_outside", "Pack files from outside the scene's folder", target->pack_outside);
   ImGui::Spacing();
   const bool pressed = text_button(panel, "save/save", "Save", kButtonWidth * ui_scale(panel));
   const bool saved = (entered || pressed) && named;
-  if (saved) issue(panel, {.name = command_info(format.dialog, panel).with_path, .path = file});
+  if (saved)
+    issue(panel,
+          {.name = command_info(format.dialog, panel).with_path, .path = file, .pack_outside = target->pack_outside});
   ImGui::SameLine();
   const bool cancelled =
       text_button(panel, "save/cancel", "Cancel", kButtonWidth * ui_scale(panel)) || escape_pressed() || left;

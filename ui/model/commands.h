@@ -22,6 +22,7 @@ struct Command {
   Vec2 cursor = Vec2(0.5, 0.5);  ///< simulation.fire, view.pick: point of the viewport, from its top left corner, 0..1
   bool discard_edits = false;    ///< commands that leave the scene: discards unsaved edits
   bool replace = false;          ///< commands that write: replaces a file of another program
+  bool pack_outside = false;     ///< commands that write recordings: packs files from outside the scene's folder, too
 };
 
 /// Largest number of steps for simulation.make_steps.

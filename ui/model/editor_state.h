@@ -79,6 +79,7 @@ struct SaveTarget {
   std::filesystem::path folder;  ///< base of relative names, absolute
   std::array<char, 512> name = {};
   std::vector<std::string> existing;  ///< names of the scenes in the folder
+  bool pack_outside = false;          ///< recordings hold files from outside the scene's folder, too
 };
 /// Returns the extension of files of that kind: ".json".
 std::string_view extension_of(SavedKind kind);
