@@ -307,9 +307,13 @@ RigidState proxy_state(const Body& body) {
   return {pose, body.motion.velocity, body.motion.angular_velocity};
 }
 
-void fit_proxy(WorldState& world, Body& body) {
+double shape_tolerance(const Body& body) {
   constexpr double kSameShape = 1e-4;  // of its extent: contacts of rigid bodies overlap by as much
-  if (is_shaped_like_proxy(world, body, kSameShape * body.extent)) return;
+  return kSameShape * body.extent;
+}
+
+void fit_proxy(WorldState& world, Body& body) {
+  if (is_shaped_like_proxy(world, body, shape_tolerance(body))) return;
   body.reference_arms = gather(world.nodes.positions, body.nodes).colwise() - body.motion.center;
   body.reference_offsets = gather(world.edges.offsets, body.edges);
   body.orientation.setIdentity();

@@ -58,6 +58,8 @@ double visible_stress(const WorldState& world, const Body& body);
 /// Distance from its shape by which a node is off before contacts may be found on the wrong side of a thin body, an
 /// eighth of its thickness [m].
 double bending_tolerance(const Body& body);
+/// Distance from its shape by which a node of a rigid body may be off [m].
+double shape_tolerance(const Body& body);
 /// True if a body is a plate or a beam, of at most a tenth of its extent: it bends more than it shears.
 bool is_thin(const Body& body);
 /// Returns the stress at the surface of a body that a force [N] in its middle bends between its ends [Pa]: that of a

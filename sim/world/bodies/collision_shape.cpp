@@ -75,17 +75,11 @@ std::vector<Vec3> relative_to(std::vector<Vec3> points, const Vec3& center) {
   return points;
 }
 
-/// True if a thin body is bent by a considerable share of its thickness: hulls of its parts at rest would fill its
-/// hollows. What is strained far changes its shape all the time, and keeps its parts.
+/// True if a body is bent so that hulls of its parts at rest would fill its hollows. What is strained far changes its
+/// shape all the time, and keeps its parts.
 bool is_bent(const WorldState& world, const Body& body) {
   constexpr double kFarStrained = 0.1;
-  if (!is_thin(body)) return false;
-  const Placement placement = placement_of(world, body.nodes);
-  const auto is_off = [&](NodeId node) {
-    const Vec3 placed = placement.to_world(world.mesh->rest_positions[node]);
-    return (world.nodes.positions[node] - placed).norm() > bending_tolerance(body);
-  };
-  return std::ranges::any_of(body.nodes, is_off) && !is_strained_by(world, body, kFarStrained);
+  return is_bent_by(world, body, bending_tolerance(body)) && !is_strained_by(world, body, kFarStrained);
 }
 
 /// Returns the convex parts of a body's tets. A bent body is divided as it is, another one as at rest, so that its
@@ -106,6 +100,15 @@ std::vector<ConvexPart> tet_parts(const TetMesh& mesh, std::span<const Vec3> pos
                                   const Vec3& center) {
   const LocalTets local(mesh, tets);
   return convex_parts(relative_to(local.points(positions), center), local.points(mesh.rest_positions), local.corners);
+}
+
+bool is_bent_by(const WorldState& world, const Body& body, double distance) {
+  if (!is_thin(body)) return false;
+  const Placement placement = placement_of(world, body.nodes);
+  return std::ranges::any_of(body.nodes, [&](NodeId node) {
+    const Vec3 placed = placement.to_world(world.mesh->rest_positions[node]);
+    return (world.nodes.positions[node] - placed).norm() > distance;
+  });
 }
 
 std::vector<ConvexPart> collision_parts(const WorldState& world, const Body& body) {

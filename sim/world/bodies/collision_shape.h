@@ -13,6 +13,9 @@ namespace griffith {
 std::vector<ConvexPart> tet_parts(const TetMesh& mesh, std::span<const Vec3> positions, std::span<const TetId> tets,
                                   const Vec3& center);
 
+/// True if a thin body is bent: a node is farther than `distance` [m] from where the shape at rest has it.
+bool is_bent_by(const WorldState& world, const Body& body, double distance);
+
 /// Returns the convex parts of the body's present shape, relative to its center of mass: those of its splinters if the
 /// scene requests them and they are few enough, else those of its tets.
 std::vector<ConvexPart> collision_parts(const WorldState& world, const Body& body);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/bodies/collision_shape.h"
 #include "sim/world/contact/contact_phase.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/fracture/separation_phase.h"
@@ -23,6 +24,11 @@ bool is_quiescent(const WorldState& world, const Body& body) {
   return !sags_visibly(world, body) && !is_visibly_strained(world, body) && std::ranges::all_of(body.nodes, is_quiet) &&
          all_slower(world, body, motion_of(world, body),
                     std::min(kQuietSpeed * damage_speed(world, body), visible_speed(world, body)));
+}
+
+/// True if contacts hold a thin body in a bent shape, which no hull of a rigid body has: it falls asleep as it is.
+bool is_held_bent(const WorldState& world, const Body& body) {
+  return !body.known_contact_loads.empty() && is_bent_by(world, body, shape_tolerance(body));
 }
 
 /// True if a body that has turned rigid in free flight may deform visibly where something first meets it. Impacts of
@@ -124,7 +130,7 @@ void fall_asleep(WorldState& world, Body& body) {
 }  // namespace
 
 void rigidify_if_quiescent(WorldState& world, Body& body) {
-  if (!body.is_deformable() || body.supported() || !is_quiescent(world, body)) return;
+  if (!body.is_deformable() || body.supported() || !is_quiescent(world, body) || is_held_bent(world, body)) return;
   set_ballistic(world, body, false);
   turn_rigid(world, body);
 }
@@ -140,7 +146,7 @@ void rigidify_quiet_bodies(WorldState& world) {
     if (!body.is_deformable() || body.supported()) continue;
     body.quiet_steps = !strained[body.id] && is_quiescent(world, body) ? body.quiet_steps + 1 : 0;
     const bool flies = body.quiet_steps > 0 && flies_unstressed(world, body);
-    if (body.tets.size() > 1 && body.quiet_steps < quiet_steps && !flies) continue;
+    if (body.tets.size() > 1 && !flies && (body.quiet_steps < quiet_steps || is_held_bent(world, body))) continue;
     set_ballistic(world, body, body.quiet_steps < quiet_steps && yields_at_first_touch(world, body));
     turn_rigid(world, body);
   }
