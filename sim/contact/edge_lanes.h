@@ -21,7 +21,7 @@ class EdgeLanes {
  public:
   static constexpr int kMost = 128;
   struct Four {
-    Triples left, right, along;  ///< normals of the faces on both sides, from end to end
+    Triples left, right, along;  ///< normals of the faces on both sides, unit vector from end to end
     std::array<int, simd::kDoubleLanes> edges;
   };
 
@@ -35,7 +35,7 @@ class EdgeLanes {
     for (int lane = first; lane < (first == 0 ? simd::kDoubleLanes : first + 1); ++lane) {
       four.left.set(lane, hull_.faces[edge.left].normal);
       four.right.set(lane, hull_.faces[edge.right].normal);
-      four.along.set(lane, hull_.corners[edge.to] - hull_.corners[edge.from]);
+      four.along.set(lane, (hull_.corners[edge.to] - hull_.corners[edge.from]).normalized());
       four.edges[lane] = index;
     }
   }

@@ -127,11 +127,8 @@ class HullPair {
 
   /// Returns the points where they are closer than `reach`; at least one for overlapping hulls.
   FoundPoints find_points(Feature feature, int of_a, int of_b, double reach) const {
+    if (feature == Feature::edges) return find_points_at_edges(of_a, of_b, reach);
     FoundPoints found;
-    if (feature == Feature::edges) {
-      found.add(edge_point(of_a, of_b));
-      return found;
-    }
     const bool on_b = feature == Feature::face_of_b;
     const Vec3 outward = (on_b ? 1 : -1) * normal(feature, of_a, of_b);
     const double offset = on_b ? b_.faces[of_b].offset : a_.faces[of_a].offset + outward.dot(place_.translation);
@@ -196,15 +193,17 @@ class HullPair {
   /// cross on the sphere. Stops when it returns true, and returns that.
   template <class Use>
   bool for_each_facing_edge(int of_a, const EdgeLanes& edges_of_b, Use use) const {
+    constexpr double kCrossing = 1e-12;  // arcs of one great circle would cross by rounding errors
     const Hull::Edge& edge = a_.edges[of_a];
     const Triple left(place_.rotation * a_.faces[edge.left].normal),
         right(place_.rotation * a_.faces[edge.right].normal);
-    const Triple along(place_.rotation * (a_.corners[edge.to] - a_.corners[edge.from]));
+    const Triple along((place_.rotation * (a_.corners[edge.to] - a_.corners[edge.from])).normalized());
     int first_lane = 0;
     for (const EdgeLanes::Four& four : edges_of_b.fours()) {
       const simd::DoubleLanes first = -dot(along, four.left), second = -dot(along, four.right);
       const simd::DoubleLanes third = dot(left, four.along), fourth = dot(right, four.along);
-      const simd::DoubleMask facing = (first * second < 0.0) & (third * fourth < 0.0) & (first * fourth > 0.0);
+      const simd::DoubleMask facing =
+          (first * second < -kCrossing) & (third * fourth < -kCrossing) & (first * fourth > 0.0);
       const int lanes = std::min(simd::kDoubleLanes, edges_of_b.count() - first_lane);
       first_lane += simd::kDoubleLanes;
       if (!simd::any_of(facing)) continue;
@@ -246,6 +245,36 @@ class HullPair {
   }
   Polygon polygon_of_b(int face) const {
     return polygon(b_, face, [&](int corner) { return b_.corners[corner]; });
+  }
+
+  /// Returns the point where two edges meet and the other corners of the area that their faces share, seen along the
+  /// edges' normal, if both lie across it: long bodies that cross would rock through one another on a single point.
+  FoundPoints find_points_at_edges(int of_a, int of_b, double reach) const {
+    constexpr double kAcross = 0.9;  // cosine
+    FoundPoints found;
+    found.add(edge_point(of_a, of_b));
+    const Vec3 axis = edge_axis(of_a, of_b);
+    const int face_a = face_at_edge(a_, of_a, -(place_.rotation.transpose() * axis)),
+              face_b = face_at_edge(b_, of_b, axis);
+    const Vec3& normal_b = b_.faces[face_b].normal;
+    const double along = normal_b.dot(axis);
+    if (along < kAcross || -(place_.rotation * a_.faces[face_a].normal).dot(axis) < kAcross) return found;
+    Polygon shared = polygon_of_a(face_a);
+    clip(shared, polygon_of_b(face_b), axis);
+    const std::span<const Vec3> corners(shared.corners.data(), static_cast<std::size_t>(shared.count));
+    const auto same = std::ranges::min_element(
+        corners, {}, [&](const Vec3& corner) { return (corner - found.points[0].on_a).squaredNorm(); });
+    for (auto corner = corners.begin(); corner != corners.end(); ++corner) {
+      const double distance = (normal_b.dot(*corner) - b_.faces[face_b].offset) / along;
+      if (corner != same && distance < reach) found.add({*corner, *corner - distance * axis, distance});
+    }
+    return found;
+  }
+
+  /// Returns that face beside an edge which faces more in a direction.
+  static int face_at_edge(const Hull& hull, int edge, const Vec3& direction) {
+    const auto& [from, to, left, right] = hull.edges[edge];
+    return hull.faces[left].normal.dot(direction) > hull.faces[right].normal.dot(direction) ? left : right;
   }
 
   /// Returns the closest point of two edges.

@@ -16,7 +16,8 @@ struct Polygon {
   }
 };
 
-/// Clips a polygon to a face with the unit normal `outward` (Sutherland and Hodgman 1974).
+/// Clips a polygon to the prism over a face along the unit vector `outward`: its normal, or one that it faces
+/// (Sutherland and Hodgman 1974).
 void clip(Polygon& polygon, const Polygon& face, const Vec3& outward);
 
 }  // namespace griffith::contact
