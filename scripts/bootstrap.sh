@@ -34,5 +34,5 @@ build() {
   say "Configuring (build/release)"
   (cd "$root" && cmake --preset release >"$log" 2>&1) || { cat "$log" >&2; fail "configuring failed; see above"; }
   say "Building"
-  (cd "$root" && cmake --build --preset release "$@") || fail "building failed; see above"
+  (cd "$root" && cmake --build --preset release --parallel "$(nproc)" "$@") || fail "building failed; see above"
 }
