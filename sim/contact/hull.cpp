@@ -162,7 +162,6 @@ Hull::Hull(const ConvexHull& hull) : corners(hull.corners) {
       fours_.back().z[rest] = corners[i].z();
     }
   }
-  for (const Vec3& corner : corners) outer_radius = std::max(outer_radius, (corner - center).norm());
   box_center = box.center();
   box_half = 0.5 * box.sizes();
   const double size = box.diagonal().norm();

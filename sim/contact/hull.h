@@ -33,7 +33,6 @@ struct Hull {
   std::vector<Edge> edges;
   Vec3 center = Vec3::Zero();                               ///< center of the corners
   double inner_radius = 0;                                  ///< radius of the largest ball around it that no face cuts
-  double outer_radius = 0;                                  ///< radius of the smallest one with all corners
   Vec3 box_center = Vec3::Zero(), box_half = Vec3::Zero();  ///< the box around them
 
  private:

@@ -93,23 +93,10 @@ void find_ground_points(Manifold& manifold, const Hull& hull, const Place& place
   set_points(manifold, {found.data(), count}, hull_is_a ? Vec3(Vec3::UnitY()) : Vec3(-up), a_in_b, tolerance);
 }
 
-/// Sphere around a part of an object, or around all of it.
-struct Sphere {
-  Vec3 center;
-  double radius;
-
-  bool meets(const Sphere& other, double gap) const {
-    const double reach = radius + other.radius + gap;
-    return (center - other.center).squaredNorm() < reach * reach;
-  }
-};
-
-Sphere sphere_around(const Object& object) { return {object.place.translation, object.shape.radius}; }
-
-Sphere sphere_around(const Object& object, int part) {
-  if (object.is_sphere()) return sphere_around(object);
-  const Hull& hull = object.shape.hull(part);
-  return {object.place.to_world(hull.center), hull.outer_radius};
+/// True if the bounding spheres of two objects come within `gap` [m] of each other.
+bool spheres_meet(const Object& a, const Object& b, double gap) {
+  const double reach = a.shape.radius + b.shape.radius + gap;
+  return (a.place.translation - b.place.translation).squaredNorm() < reach * reach;
 }
 
 }  // namespace
@@ -344,9 +331,7 @@ bool ContactWorld::Impl::parts_may_touch(const Pair& pair, double gap) const {
   const Object &a = objects[pair.a], &b = objects[pair.b];
   if (a.kind == Kind::ground) return present_box(b, pair.part_b).low.y() <= ground_height;
   if (b.kind == Kind::ground) return present_box(a, pair.part_a).low.y() <= ground_height;
-  return sphere_around(a).meets(sphere_around(b), gap) &&
-         present_box(a, pair.part_a).meets(present_box(b, pair.part_b)) &&
-         sphere_around(a, pair.part_a).meets(sphere_around(b, pair.part_b), gap);
+  return spheres_meet(a, b, gap) && present_box(a, pair.part_a).meets(present_box(b, pair.part_b));
 }
 
 /// Lists the pairs that may touch and of which one side may have moved. Only these need a manifold, besides those at
