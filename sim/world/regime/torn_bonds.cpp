@@ -34,17 +34,28 @@ struct Cluster {
   std::map<int, BondsBetween> bonds;  ///< by the index of the other cluster
 };
 
-std::vector<Cluster> parts_of(const WorldState& world, const Body& body) {
+/// Returns the indices of the opened faces within each body.
+std::vector<std::vector<std::ptrdiff_t>> faces_by_body(const WorldState& world) {
+  std::vector<std::vector<std::ptrdiff_t>> faces(world.bodies.size());
+  for (std::size_t i = 0; i < world.cohesive_faces.size(); ++i) {
+    const OpenFace& face = world.cohesive_faces[i].face;
+    const BodyId body = world.elements.bodies[face.first];
+    if (body == world.elements.bodies[face.second]) faces[body.index()].push_back(static_cast<std::ptrdiff_t>(i));
+  }
+  return faces;
+}
+
+/// `faces`: indices of the opened faces within the body.
+std::vector<Cluster> parts_of(const WorldState& world, const Body& body, std::span<const std::ptrdiff_t> faces) {
   const ConnectedParts connected(world, body);
   std::vector<Cluster> parts;
   for (const std::vector<TetId>& tets : connected.tets())
     parts.push_back({tets, motion_of(world, nodes_of(world.mesh, tets)), {}});
-  for (std::size_t i = 0; i < world.cohesive_faces.size(); ++i) {
-    const auto& [face, of_corners] = world.cohesive_faces[i];
-    if (world.elements.bodies[face.first] != body.id || world.elements.bodies[face.second] != body.id) continue;
+  for (const std::ptrdiff_t index : faces) {
+    const auto& [face, of_corners] = world.cohesive_faces[index];
     const int first = connected.of(face.first), second = connected.of(face.second);
     if (first == second) continue;
-    BondsBetween between{{static_cast<std::ptrdiff_t>(i)}, 0};
+    BondsBetween between{{index}, 0};
     for (const Bond& bond : of_corners)
       if (bond.holds()) between.energy += bond.energy_left();
     parts[first].bonds[second].add(between);
@@ -129,9 +140,10 @@ bool tear(WorldState& world, const BondsBetween& bonds, Cluster& first, Cluster&
   return true;
 }
 
-/// Tears bonds of a body. Adds the indices of the faces that are free then.
-void tear_bonds(WorldState& world, const Body& body, std::vector<std::ptrdiff_t>& torn) {
-  std::vector<Cluster> clusters = parts_of(world, body);
+/// Tears bonds of a body at its opened `faces`. Adds the indices of those that are free then.
+void tear_bonds(WorldState& world, const Body& body, std::span<const std::ptrdiff_t> faces,
+                std::vector<std::ptrdiff_t>& torn) {
+  std::vector<Cluster> clusters = parts_of(world, body, faces);
   join_what_holds(clusters);
   for (int first = 0; first < std::ssize(clusters); ++first)
     for (const auto& [second, bonds] : clusters[first].bonds)
@@ -145,11 +157,12 @@ std::vector<BodyId> part_at_torn_bonds(WorldState& world, std::span<const BodyId
   Opened opened;
   opened.first_event = world.crack_events.size();
   std::vector<std::ptrdiff_t> torn;
+  const std::vector<std::vector<std::ptrdiff_t>> faces = faces_by_body(world);
   for (const BodyId id : bodies) {
     const Body& body = world.bodies[id];
     if (!body.bonded || !body.is_deformable() || body.supported()) continue;
     const std::size_t before = torn.size();
-    tear_bonds(world, body, torn);
+    tear_bonds(world, body, faces[id.index()], torn);
     if (torn.size() > before) opened.bodies.insert(id);
   }
   std::vector<BodyId> pieces(bodies.begin(), bodies.end());
