@@ -5,6 +5,7 @@
 
 #include "sim/core/dense_algebra.h"
 #include "sim/core/rotation.h"
+#include "sim/solver/rigid_motion.h"
 
 namespace griffith {
 
@@ -63,7 +64,7 @@ Turning turning_about(const Pivot& pivot, const NodeVectors& positions, const No
   Turning turning;
   for (Eigen::Index node = 0; node < masses.size(); ++node) {
     const Vec3 arm = positions.col(node) - pivot.place;
-    turning.inertia += masses[node] * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
+    turning.inertia += point_inertia(masses[node], arm);
     turning.momentum += masses[node] * arm.cross(velocities.col(node));
   }
   turning.spin = spin_about(pivot, turning.inertia, turning.momentum);
@@ -77,7 +78,7 @@ Vec3 swing_acceleration(const Pivot& pivot, const NodeVectors& positions, const 
   Vec3 torque = Vec3::Zero();
   for (Eigen::Index node = 0; node < masses.size(); ++node) {
     const Vec3 arm = positions.col(node) - pivot.place;
-    inertia += masses[node] * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
+    inertia += point_inertia(masses[node], arm);
     torque += (turn * arm).cross(forces.col(node));
   }
   return spin_about(pivot, inertia, torque);

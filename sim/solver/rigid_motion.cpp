@@ -3,15 +3,6 @@
 #include <Eigen/LU>
 
 namespace griffith {
-namespace {
-
-/// Returns the inertia of a point mass about a point at this arm from it [kg·m²].
-Mat3 point_inertia(double mass, const Vec3& arm) {
-  return mass * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
-}
-
-}  // namespace
-
 RigidMotion rigid_motion(const NodeVectors& positions, const NodeVectors& velocities, const Eigen::VectorXd& masses) {
   RigidMotion motion;
   motion.mass = masses.sum();

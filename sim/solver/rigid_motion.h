@@ -16,6 +16,11 @@ struct RigidMotion {
   Vec3 velocity_at(const Vec3& position) const { return velocity + angular_velocity.cross(position - center); }
 };
 
+/// Returns the inertia of a point mass about a point at this arm from it [kg·m²].
+inline Mat3 point_inertia(double mass, const Vec3& arm) {
+  return mass * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
+}
+
 /// Returns the rigid motion with the linear and angular momentum of these nodes: one column or entry a node [m], [m/s],
 /// [kg]. They must not all lie on one line.
 RigidMotion rigid_motion(const NodeVectors& positions, const NodeVectors& velocities, const Eigen::VectorXd& masses);
