@@ -17,6 +17,7 @@
 #include "renderer/egl_context.h"
 #include "renderer/renderer.h"
 #include "sim/core/replace_file.h"
+#include "sim/recording/recording.h"
 #include "sim/recording/replay.h"
 #include "sim/scene/scene_reader.h"
 

@@ -10,7 +10,6 @@
 
 #include "app/cli/command_line.h"
 #include "app/study/sweep_runs.h"
-#include "sim/recording/recording.h"
 #include "sim/scene/scene_setting.h"
 
 namespace griffith::app {
@@ -40,7 +39,6 @@ std::vector<SceneSetting> settings(const std::vector<std::string>& texts);
 
 /// Adds --pack-outside, without which a recording contains no files from outside the scene's folder.
 CLI::Option* add_pack_outside(CLI::App& command, bool& pack);
-inline OutsideFiles outside_files(bool pack) { return pack ? OutsideFiles::pack : OutsideFiles::refuse; }
 
 /// Adds --jobs, --time-limit and --memory-limit. `limits` must outlive the command.
 void add_job_limits(CLI::App& command, JobLimits& job_limits);

@@ -53,14 +53,6 @@ void RunFiles::ask_where_to_save(ui::SavedKind kind, fs::path proposed) {
   state_.save_as = ui::save_target(proposed, kind);
 }
 
-namespace {
-
-OutsideFiles outside_files(const ui::Command& command) {
-  return command.pack_outside ? OutsideFiles::pack : OutsideFiles::refuse;
-}
-
-}  // namespace
-
 Recording RunFiles::recorded_run(OutsideFiles outside) const {
   Scene scene = run_.world().scene();
   for (const fs::path* path : paths_in(scene)) {
@@ -74,14 +66,14 @@ Recording RunFiles::recorded_run(OutsideFiles outside) const {
 
 void RunFiles::save_recording(const ui::Command& command) {
   if (!may_replace(state_, command, command.path)) return;
-  const Recording recording = recorded_run(outside_files(command));
+  const Recording recording = recorded_run(outside_files(command.pack_outside));
   write_recording(recording, command.path);
   log(ui::LogLevel::info, "Recorded " + std::to_string(recording.steps()) + " steps in " + command.path.string());
 }
 
 void RunFiles::save_report(const ui::Command& command) {
   if (may_replace(state_, command, command.path))
-    requested_picture_ = {ui::SavedKind::bug_report, command.path, outside_files(command)};
+    requested_picture_ = {ui::SavedKind::bug_report, command.path, outside_files(command.pack_outside)};
 }
 
 void RunFiles::save_plots(const ui::Command& command) {

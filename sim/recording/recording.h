@@ -36,6 +36,7 @@ struct Recording {
 /// Treatment of files that a scene names outside its folder, after all links are resolved. Without the user's consent
 /// they must not be passed on in a recording.
 enum class OutsideFiles { refuse, pack };
+inline OutsideFiles outside_files(bool pack) { return pack ? OutsideFiles::pack : OutsideFiles::refuse; }
 
 /// Returns a recording without steps, to be called before the first one. Reads all files that the scene is built from.
 /// Throws InputError if one cannot be read any more, or if it is outside the scene's folder and `outside` refuses it.

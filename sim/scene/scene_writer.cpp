@@ -130,8 +130,7 @@ bool is_address(const std::string& path) { return path.find("://") != std::strin
 Scene with_paths_from(Scene scene, const std::filesystem::path& folder) {
   if (scene.folder == folder) return scene;
   const auto move = [&](std::filesystem::path& path) {
-    if (path.is_absolute()) return;
-    path = std::filesystem::absolute(scene.folder / path).lexically_normal().lexically_proximate(folder);
+    if (!path.is_absolute()) path = path_from_scene(scene.folder / path, folder);
   };
   if (!scene.schema.empty() && !is_address(scene.schema)) {
     std::filesystem::path schema = scene.schema;
