@@ -273,7 +273,7 @@ class HullPair {
 
   /// Returns that face beside an edge which faces more in a direction.
   static int face_at_edge(const Hull& hull, int edge, const Vec3& direction) {
-    const auto& [from, to, left, right] = hull.edges[edge];
+    const int left = hull.edges[edge].left, right = hull.edges[edge].right;
     return hull.faces[left].normal.dot(direction) > hull.faces[right].normal.dot(direction) ? left : right;
   }
 

@@ -48,6 +48,16 @@ void make_rigid_if_unharmed(WorldState& world, Body& body) {
   if (std::ranges::all_of(body.nodes, is_unharmed)) stop_vibration(world, body);
 }
 
+/// Makes a body rigid whose waves have died down, if it may be.
+void settle(WorldState& world, Body& body, bool strained) {
+  if (!body.supported() && body.bonded) {
+    stop_vibration(world, body);  // its bonds hold, but do not act in implicit steps
+  } else if (!body.supported() && !strained) {
+    make_rigid_if_unharmed(world, body);
+  }
+  if (body.is_deformable()) follow_deformation(world, body);
+}
+
 }  // namespace
 
 void end_explicit(WorldState& world, Body& body) {
@@ -69,20 +79,6 @@ bool run_explicit(WorldState& world, std::vector<explicit_dynamics::Obstacle> ob
   run.finish(duration);
   return true;
 }
-
-namespace {
-
-/// Makes a body rigid whose waves have died down, if it may be.
-void settle(WorldState& world, Body& body, bool strained) {
-  if (!body.supported() && body.bonded) {
-    stop_vibration(world, body);  // its bonds hold, but do not act in implicit steps
-  } else if (!body.supported() && !strained) {
-    make_rigid_if_unharmed(world, body);
-  }
-  if (body.is_deformable()) follow_deformation(world, body);
-}
-
-}  // namespace
 
 void end_explicit_if_quiet(WorldState& world) {
   constexpr double kRounding = 1e-9;
