@@ -74,13 +74,15 @@ std::vector<Eigen::AlignedBox3d> MicrostepContacts::edge_boxes(const ExplicitBod
   return boxes;
 }
 
-/// Lists the edges of the bodies, in these `boxes`, near those of an obstacle.
-void MicrostepContacts::list_edges_near(const Obstacle& obstacle, std::span<const Eigen::AlignedBox3d> boxes,
-                                        Candidates& candidates) const {
+/// Lists the edges of the bodies of other families, in these `boxes`, near those of an obstacle.
+void MicrostepContacts::list_edges_near(const ExplicitBodies& bodies, const Obstacle& obstacle,
+                                        std::span<const Eigen::AlignedBox3d> boxes, Candidates& candidates) const {
   const Pose& pose = obstacle.state.pose;
   const double reach = obstacle.radius + margin_;
   for (int edge = 0; edge < static_cast<int>(boxes.size()); ++edge) {
-    if (boxes[edge].squaredExteriorDistance(pose.translation) > reach * reach) continue;
+    if (boxes[edge].squaredExteriorDistance(pose.translation) > reach * reach ||
+        surface_at(bodies, edges_[edge].nodes[0]).family == obstacle.family)
+      continue;
     for (int part = 0; part < static_cast<int>(obstacle.solids.size()); ++part) {
       const std::vector<SharpEdge>& of_part = obstacle.solids[part].edges;
       for (int other = 0; other < static_cast<int>(of_part.size()); ++other) {

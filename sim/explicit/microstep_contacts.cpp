@@ -118,12 +118,15 @@ MicrostepContacts::BoxedSurface MicrostepContacts::boxed_surface(const ExplicitB
   return {std::move(sides), PointGrid(centers, grid_edge(centers.size(), element_size_)), largest, edge_boxes(bodies)};
 }
 
-/// Returns the sides that may be near an obstacle, in the order of the surface.
-std::vector<MicrostepContacts::BoxedSide> MicrostepContacts::sides_near(const Obstacle& obstacle,
+/// Returns the sides of other families that may be near an obstacle, in the order of the surface.
+std::vector<MicrostepContacts::BoxedSide> MicrostepContacts::sides_near(const ExplicitBodies& bodies,
+                                                                        const Obstacle& obstacle,
                                                                         const BoxedSurface& surface) const {
   std::vector<BoxedSide> near;
   const auto take = [&](int index) {
-    if (may_be_near(obstacle, surface.sides[index].box, margin_)) near.push_back(surface.sides[index]);
+    const BoxedSide& side = surface.sides[index];
+    if (family_of(bodies, side.side) != obstacle.family && may_be_near(obstacle, side.box, margin_))
+      near.push_back(side);
   };
   const Vec3 reach = Vec3::Constant(obstacle.radius + margin_) + surface.largest;
   if (!reach.allFinite()) {
@@ -141,7 +144,7 @@ std::vector<MicrostepContacts::BoxedSide> MicrostepContacts::sides_near(const Ob
 void MicrostepContacts::list_near_obstacle(const ExplicitBodies& bodies, const Obstacle& obstacle,
                                            const BoxedSurface& surface, Candidates& candidates) const {
   candidates.sides.clear(), candidates.nodes.clear(), candidates.samples.clear(), candidates.edges.clear();
-  const std::vector<BoxedSide> sides = sides_near(obstacle, surface);
+  const std::vector<BoxedSide> sides = sides_near(bodies, obstacle, surface);
   if (obstacle.is_sphere()) {
     for (const BoxedSide& near : sides) candidates.sides.push_back({{}, near.side});
     return;
@@ -152,7 +155,7 @@ void MicrostepContacts::list_near_obstacle(const ExplicitBodies& bodies, const O
   sort_unique(nodes);
   for (int part = 0; part < static_cast<int>(obstacle.solids.size()); ++part)
     list_near_part(bodies, obstacle, part, sides, nodes, candidates);
-  if (!sides.empty() && !obstacle.is_ground()) list_edges_near(obstacle, surface.edges, candidates);
+  if (!sides.empty() && !obstacle.is_ground()) list_edges_near(bodies, obstacle, surface.edges, candidates);
 }
 
 /// Lists, from the sides near an obstacle and their nodes, the nodes near one of its parts, and that part's samples

@@ -20,7 +20,7 @@ struct SurfaceSide {
 
 /// Contact properties of an explicit body.
 struct SurfaceLaw {
-  int family = 0;  ///< pieces of one family touch only where cracks separated them
+  int family = 0;  ///< >= 0; pieces of one family touch only where cracks separated them
   double friction = 0.6;
 };
 
@@ -198,7 +198,8 @@ class MicrostepContacts {
   /// Returns an upper bound of the closing speed of any two nodes or obstacles [m/s].
   double closing_speed(const ExplicitBodies& bodies) const;
   BoxedSurface boxed_surface(const ExplicitBodies& bodies) const;
-  std::vector<BoxedSide> sides_near(const Obstacle& obstacle, const BoxedSurface& surface) const;
+  std::vector<BoxedSide> sides_near(const ExplicitBodies& bodies, const Obstacle& obstacle,
+                                    const BoxedSurface& surface) const;
   void list_near_obstacle(const ExplicitBodies& bodies, const Obstacle& obstacle, const BoxedSurface& surface,
                           Candidates& candidates) const;
   void list_near_part(const ExplicitBodies& bodies, const Obstacle& obstacle, int part,
@@ -209,8 +210,8 @@ class MicrostepContacts {
   SharpEdge sharp_edge(const ExplicitBodies& bodies, const SurfaceEdge& edge) const;
   bool has_families() const;
   std::vector<Eigen::AlignedBox3d> edge_boxes(const ExplicitBodies& bodies) const;
-  void list_edges_near(const Obstacle& obstacle, std::span<const Eigen::AlignedBox3d> boxes,
-                       Candidates& candidates) const;
+  void list_edges_near(const ExplicitBodies& bodies, const Obstacle& obstacle,
+                       std::span<const Eigen::AlignedBox3d> boxes, Candidates& candidates) const;
   void list_edge_pairs(const ExplicitBodies& bodies, std::span<const Eigen::AlignedBox3d> boxes);
   Touch edge_touch(const SurfaceEdge& edge, const SharpEdge& present, const EdgeContact& contact) const;
   void touch_edges(const ExplicitBodies& bodies, int obstacle);

@@ -44,6 +44,7 @@ struct Obstacle {
   Vec3 center = Vec3::Zero();           ///< center of mass in its own frame; not zero if it swings about a pivot [m]
   RigidState state;
   double friction = 0.6;
+  int family = -1;           ///< see SurfaceLaw; it does not touch bodies of its own family
   bool is_soft = false;      ///< deforms visibly: the ground does not stop all of it at once
   double energy_gained = 0;  ///< work of impulses at the mean of its velocities before and after [J]
 

@@ -218,6 +218,22 @@ TEST(MicrostepContacts, BallsAmongManyTetsStrikeAsThoseAlone) {
   EXPECT_LT(pushed, 64);
 }
 
+TEST(MicrostepContacts, ObstaclesTouchBodiesOfOtherFamiliesOnly) {
+  for (const int family : {-1, 0, 1}) {
+    Tets tets;
+    Corners4 beside = kUpper;
+    for (Vec3& corner : beside) corner += Vec3(-2, 0, 0);
+    tets.add(kUpper, Vec3::Zero()), tets.add(beside, Vec3::Zero());
+    Obstacle ball = ball_below(Vec3::Zero()), ball_beside = ball_below(Vec3(-2, 0, 0));
+    ball.family = ball_beside.family = family;
+    tets.begin(1e-9);
+    MicrostepContacts impacts(tets.bodies, tets.surface, {}, {ball, ball_beside}, tets.laws, 1);
+    impacts.resolve(tets.bodies, 1e-9, 0);
+    EXPECT_EQ(tets.bodies.velocity(0).isZero(0), family == 0);
+    EXPECT_EQ(tets.bodies.velocity(4).isZero(0), family == 1);
+  }
+}
+
 /// Tets with an edge along x below, and one along y above it by `gap` [m]. They come together at 2 m/s.
 struct CrossingEdges {
   Corners4 lower = {Vec3(-1, 0, 0), Vec3(0.9, 0, 0), Vec3(0, -1, -1), Vec3(0, 1, -1)}, upper;

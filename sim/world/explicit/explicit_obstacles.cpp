@@ -40,13 +40,18 @@ std::vector<explicit_dynamics::ConvexSolid> solids_of(const std::vector<ConvexPa
 
 /// Surroundings of the bodies in explicit dynamics, and the resolution of their surface.
 struct Surroundings {
-  std::vector<Eigen::AlignedBox3d> boxes;
+  struct Reach {
+    Eigen::AlignedBox3d box;
+    int family = 0;  ///< index of the scene body
+  };
+  std::vector<Reach> reaches;
   double element_size = std::numeric_limits<double>::infinity();
 
-  std::vector<std::uint8_t> own;  ///< per scene body: 1 where pieces of it are in explicit dynamics
-
-  bool may_meet(const Vec3& center, double reach) const {
-    return std::ranges::any_of(boxes, [&](const auto& box) { return box.exteriorDistance(center) <= reach; });
+  /// True if a sphere may meet bodies of other families than its own.
+  bool may_meet(const Vec3& center, double radius, int family = -1) const {
+    return std::ranges::any_of(reaches, [&](const Reach& reach) {
+      return reach.family != family && reach.box.exteriorDistance(center) <= radius;
+    });
   }
 };
 
@@ -69,12 +74,12 @@ void add_projectiles(const WorldState& world, const Surroundings& near, double d
 void add_bodies(const WorldState& world, const Surroundings& near, double duration,
                 std::vector<explicit_dynamics::Obstacle>& obstacles) {
   for (const Body& body : world.bodies) {
-    if (body.explicit_state || near.own[body.scene_body])
-      continue;  // pieces of one body touch as rigid ones afterwards
+    if (body.explicit_state) continue;
     const double radius = radius_of(body.collision_parts),
                  speed = body.motion.velocity.norm() + radius * body.motion.angular_velocity.norm();
-    if (near.may_meet(body.motion.center, radius + duration * speed))
-      obstacles.push_back(obstacle_of(world, body, near.element_size));
+    if (!near.may_meet(body.motion.center, radius + duration * speed, body.scene_body)) continue;
+    obstacles.push_back(obstacle_of(world, body, near.element_size));
+    obstacles.back().family = body.scene_body;  // pieces of one body touch as rigid ones afterwards
   }
 }
 
@@ -114,14 +119,12 @@ void swing_body(WorldState& world, Body& body, const RigidState& state) {
 
 std::vector<explicit_dynamics::Obstacle> reachable_obstacles(const WorldState& world, double duration) {
   Surroundings near;
-  near.own.resize(world.model->scene.bodies.size(), 0);
   for (const Body& body : world.bodies) {
     if (!body.explicit_state) continue;
-    near.own[body.scene_body] = 1;
-    near.boxes.push_back(reach_of(world, body, duration));
+    near.reaches.push_back({reach_of(world, body, duration), body.scene_body});
     near.element_size = std::min(near.element_size, body.element_size);
   }
-  if (near.boxes.empty()) return {};
+  if (near.reaches.empty()) return {};
   std::vector<explicit_dynamics::Obstacle> obstacles;
   add_ground(world, obstacles);
   add_projectiles(world, near, duration, obstacles);
