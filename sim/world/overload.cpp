@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/world/bodies/bodies.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/explicit/explicit_regime.h"
 #include "sim/world/explicit/similarity.h"
@@ -47,21 +48,24 @@ double lost_in_stop(const WorldState& world, const ContactLoad& load, double dt)
   return mass > 0 ? 0.5 * (dt * load.force).squaredNorm() / mass : 0;
 }
 
-/// Returns the energy that the implicit substep `dt` [s] took by its damping from a body and from what it touches [J].
-double damped_energy(const WorldState& world, const Body& body, double dt) {
+/// Returns the energy that the last implicit substep `dt` [s] took by its damping from a body and from what it touches
+/// [J]. Forces under which it rests count as stops, unless only `impacts` count.
+double damped_energy(const WorldState& world, const Body& body, double dt, bool impacts) {
   double energy = world.scratch.bodies[body.id].damped;
-  for (const ContactLoad& load : body.known_contact_loads) energy += lost_in_stop(world, load, dt);
+  for (const ContactLoad& load : body.known_contact_loads)
+    energy += impacts ? load.lost_in_impact : std::max(load.lost_in_impact, lost_in_stop(world, load, dt));
   return energy;
 }
 
 /// True if a body suited to microsteps would have been overloaded with the energy that the damping of the implicit
-/// substep `dt` [s] took. Stress grows with the root of the energy.
+/// substep took. Stress grows with the root of the energy.
 bool is_held_by_damping(const WorldState& world, const Body& body, double dt) {
-  constexpr double kLoaded = 0.3;  // of the resistance: of less load, damping says little about the stress
+  // Of the resistance: of less load, damping says little about the stress. Thin bodies bend for longer than a step.
+  constexpr double kLoaded = 0.3, kBent = 0.03;
   if (!body.is_deformable() || body.id.index() >= static_cast<int>(world.scratch.bodies.size())) return false;
   const double utilization = highest_utilization(world, body);
-  if (utilization < kLoaded || utilization > 1) return false;
-  const double elastic = elastic_energy(world, body), damped = damped_energy(world, body, dt);
+  if (utilization < (is_thin(body) ? kBent : kLoaded) || utilization > 1) return false;
+  const double elastic = elastic_energy(world, body), damped = damped_energy(world, body, dt, utilization < kLoaded);
   return utilization * utilization * (elastic + damped) > elastic && suits_microsteps(world, body, 0);
 }
 

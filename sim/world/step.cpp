@@ -167,7 +167,7 @@ bool move_within_ceiling(WorldState& world, double substep, StepImpacts& impacts
 }
 
 /// Most substeps of a step that are undone for one reason.
-constexpr int kMaxUndone = 12;
+constexpr int kMaxUndone = 16;
 
 /// Moves everything on by `substep` [s]. Where the nonlinear step of a soft body does not converge, or one turns so far
 /// that it comes to lie below the ground, restores the state before and halves the limit, but not more than some times
@@ -188,7 +188,7 @@ bool move_within_strains(WorldState& world, double substep, SubstepLimit& limit,
 
 /// Returns the state before a substep [s] that has to be undone if it overloads bodies; none if it may not.
 std::optional<BeforeSubstep> keep_if_overloading(const WorldState& world, double substep, const SubstepLimit& limit) {
-  if (substep < 2 * limit.shortest || limit.late == kMaxUndone || !may_overload(world)) return std::nullopt;
+  if (substep < 2 * limit.shortest_if_held || limit.late == kMaxUndone || !may_overload(world)) return std::nullopt;
   return BeforeSubstep(world);
 }
 
@@ -196,11 +196,13 @@ std::optional<BeforeSubstep> keep_if_overloading(const WorldState& world, double
 /// alone they may have held, and limits the next one up to there or to half of it. False if there were none.
 bool undo_if_overloaded(WorldState& world, const BeforeSubstep& before, double substep, SubstepLimit& limit) {
   constexpr double kHalf = 0.5;
-  double fraction = fraction_until_overload(before.world, world, limit.last / substep);
-  if (fraction == 1 && may_be_held_by_damping(world, substep)) fraction = kHalf;
-  if (fraction == 1) return false;
+  const double fraction =
+      substep < 2 * limit.shortest ? 1 : fraction_until_overload(before.world, world, limit.last / substep);
+  const bool is_held = fraction == 1 && may_be_held_by_damping(world, substep);
+  if (fraction == 1 && !is_held) return false;
   restore(world, before);
-  limit.longest = std::max(fraction * substep, limit.shortest);
+  limit.longest =
+      is_held ? std::max(kHalf * substep, limit.shortest_if_held) : std::max(fraction * substep, limit.shortest);
   ++limit.late;
   return true;
 }

@@ -33,9 +33,9 @@ double time_of_strains(const WorldState& world) {
 }  // namespace
 
 SubstepLimit strain_limit(const WorldState& world, double time_step) {
-  constexpr double kMostSubsteps = 64;
+  constexpr double kMostSubsteps = 64, kMostIfHeld = 256;
   const double shortest = time_step / kMostSubsteps;
-  return {std::max(2 * shortest, time_of_strains(world)), shortest, time_step};
+  return {std::max(2 * shortest, time_of_strains(world)), shortest, time_step / kMostIfHeld, time_step};
 }
 
 double depth_of_soft_bodies(const WorldState& world) {

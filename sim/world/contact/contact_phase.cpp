@@ -84,24 +84,31 @@ bool is_known_load(const WorldState& world, const Body& body, ProxyId other, dou
 }
 
 /// Adds the load of an object to those that a body is known to carry [N].
-void add_known_load(Body& body, ProxyId other, const Vec3& force) {
-  const auto known = std::ranges::find(body.known_contact_loads, other, &ContactLoad::other);
-  known == body.known_contact_loads.end() ? body.known_contact_loads.push_back({other, force})
-                                          : void(known->force += force);
+void add_known_load(Body& body, const ContactLoad& load) {
+  const auto known = std::ranges::find(body.known_contact_loads, load.other, &ContactLoad::other);
+  if (known == body.known_contact_loads.end()) return body.known_contact_loads.push_back(load);
+  known->force += load.force;
+  known->lost_in_impact += load.lost_in_impact;
+}
+
+/// Returns the energy that a contact took by stopping what came closer [J], 0 for one at rest.
+double lost_in_impact(const WorldState& world, const Contact& contact, double dt) {
+  return is_at_rest(world, contact, dt) ? 0 : 0.5 * contact.approach * std::abs(contact.impulse.dot(contact.normal));
 }
 
 /// Records the loads of deformable bodies in a substep of `dt` [s]; they keep the record when they become rigid.
 void record_loads(WorldState& world, double dt) {
   for (Body& body : world.bodies)
     if (body.is_deformable()) body.known_contact_loads.clear();
-  const auto note = [&](ProxyId object, ProxyId other, const Vec3& force) {
+  const auto note = [&](ProxyId object, const ContactLoad& load) {
     const BodyId id = world.body_of(object);
-    if (id.valid() && world.bodies[id].is_deformable()) add_known_load(world.bodies[id], other, force);
+    if (id.valid() && world.bodies[id].is_deformable()) add_known_load(world.bodies[id], load);
   };
   for (const Contact& contact : std::as_const(world.contact_world).contacts()) {
     if (contact.impulse.isZero(0)) continue;
-    note(contact.a, contact.b, contact.impulse / dt);
-    note(contact.b, contact.a, -contact.impulse / dt);
+    const double lost = lost_in_impact(world, contact, dt);
+    note(contact.a, {contact.b, contact.impulse / dt, lost});
+    note(contact.b, {contact.a, -contact.impulse / dt, lost});
   }
 }
 
@@ -129,7 +136,7 @@ bool make_struck_bodies_elastic(WorldState& world, double dt) {
         const ProxyId other = side == contact.a ? contact.b : contact.a;
         std::erase_if(world.bodies[id].known_contact_loads,
                       [&](const ContactLoad& load) { return load.other == other; });
-        add_known_load(world.bodies[id], other, load_of(world, world.bodies[id], other, dt));
+        add_known_load(world.bodies[id], {other, load_of(world, world.bodies[id], other, dt)});
         world.bodies[id].bonds_loaded = true;
         continue;
       }

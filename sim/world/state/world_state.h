@@ -43,6 +43,7 @@ struct ExplicitState {
 struct ContactLoad {
   ProxyId other;
   Vec3 force = Vec3::Zero();  ///< [N]
+  double lost_in_impact = 0;  ///< energy that it took in that substep by stopping what came closer [J]
 };
 
 /// Duration of rest of a deformable body, and its state at the beginning.

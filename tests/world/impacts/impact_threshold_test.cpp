@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include "sim/world/world.h"
@@ -27,6 +28,32 @@ Scene struck_plate(double young_modulus, double time_step, double speed) {
   shot.radius = 0.1;
   scene.projectiles = {shot};
   scene.simulation.time_step = time_step;
+  return scene;
+}
+
+/// A beam of glass, 10 mm thick, on two bearings of steel, and a ball of steel that falls on its middle.
+Scene struck_beam(double time_step, double speed) {
+  Scene scene;
+  scene.simulation.time_step = time_step;
+  scene.ground.reset();
+  const auto add = [&](const Vec3& size, const Vec3& element_size, const Vec3& position, const char* material) {
+    BodyDescription& body = scene.bodies.emplace_back();
+    body.name = "body " + std::to_string(scene.bodies.size());
+    body.shape = BoxShape{size, element_size, BoxPattern::five_tet};
+    body.position = position;
+    body.material = *find_material_preset(material);
+  };
+  add(Vec3(0.4, 0.01, 0.04), Vec3(0.02, 0.01, 0.02), Vec3::Zero(), "soda_lime_glass");
+  for (const double x : {-0.18, 0.18}) {
+    add(Vec3(0.02, 0.02, 0.06), Vec3::Constant(0.02), Vec3(x, -0.015, 0), "mild_steel");
+    scene.bodies.back().supports = {{HalfSpaceRegion{Vec3(0, -0.005, 0), -Vec3::UnitY()}}};
+  }
+  ProjectileBurst& ball = scene.projectiles.emplace_back();
+  ball.position = Vec3(0, 0.026, 0);
+  ball.direction = -Vec3::UnitY();
+  ball.speed = speed;
+  ball.mass = 0.5;
+  ball.radius = 0.02;
   return scene;
 }
 
@@ -61,6 +88,16 @@ TEST(ImpactThreshold, WhetherAPlateBreaksDoesNotDependOnTheTimeStep) {
 
 TEST(ImpactThreshold, AStifferPlateBreaksAtALowerSpeed) {
   EXPECT_LT(threshold_speed(70e9, 1.0 / 120), threshold_speed(15e9, 1.0 / 120));
+}
+
+/// Half a period of ball and beam lasts 4.5 ms, less than a step. By energy the beam breaks from 0.96 m/s on, from 1.15
+/// m/s on if the ball's impact on the mass of the beam is plastic.
+TEST(ImpactThreshold, ABeamOnBearingsBreaksAlikeInStepsLongerThanItBends) {
+  for (const double time_step : {1.0 / 60, 1.0 / 120, 1.0 / 250}) {
+    EXPECT_FALSE(breaks(struck_beam(time_step, 1.0))) << time_step;
+    EXPECT_TRUE(breaks(struck_beam(time_step, 1.35))) << time_step;
+  }
+  EXPECT_TRUE(breaks(struck_beam(1.0 / 30, 1.5)));
 }
 
 }  // namespace
