@@ -1,6 +1,11 @@
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "sim/core/rotation.h"
+#include "sim/solver/rigid_motion.h"
+#include "sim/world/bodies/bodies.h"
 #include "sim/world/conditions/supports.h"
 #include "sim/world/explicit/explicit_run.h"
 #include "sim/world/state/world_state.h"
@@ -8,15 +13,31 @@
 /// Loads and supports that change during microsteps.
 namespace griffith {
 
-/// Returns the acceleration of free nodes as a whole by forces per node of the mesh [N], which strains nothing [m/s²];
-/// zero if some are held.
-Vec3 ExplicitRun::common_acceleration(const std::vector<NodeId>& nodes, const std::vector<Vec3>& forces) const {
-  if (!std::ranges::all_of(nodes, [&](NodeId node) { return world_.nodes.constraints[node].is_free(); }))
-    return Vec3::Zero();
-  Vec3 force = Vec3::Zero();
-  double mass = 0;
-  for (const NodeId node : nodes) force += forces[node], mass += world_.nodes.masses[node];
-  return force / mass;
+/// Returns the acceleration of a body with these nodes as a whole by forces per node of the mesh [N], and by its
+/// rotation if it `rotates`: that in the middle of the run, unless the body turns too far to have one direction. It is
+/// zero if supports hold the body more firmly than about a pivot.
+RigidAcceleration ExplicitRun::common_acceleration(const Body& body, const std::vector<NodeId>& nodes,
+                                                   const std::vector<Vec3>& forces, bool rotates) const {
+  constexpr double kFar = 0.5;  // [rad]
+  const auto is_free = [&](NodeId node) { return world_.nodes.constraints[node].is_free(); };
+  const bool all_free = std::ranges::all_of(nodes, is_free);
+  const std::optional<Pivot> pivot = all_free ? std::nullopt : pivot_of(world_, body);
+  if (!all_free && !pivot) return {};
+  const RigidMotion motion = motion_of(world_, nodes);
+  const Vec3 place = pivot ? pivot->place : motion.center,
+             way = 0.5 * std::max(0.0, others_at_ - time_) * motion.angular_velocity;
+  const bool has_direction = 2 * way.norm() < kFar;
+  const Mat3 turn = has_direction ? rotation_by(way).toRotationMatrix() : Mat3(Mat3::Identity());
+  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+  for (const NodeId node : nodes) {
+    force += forces[node];
+    torque += (turn * (world_.nodes.positions[node] - place)).cross(forces[node]);
+  }
+  const Mat3 spin = rotates && has_direction ? cross_matrix(motion.angular_velocity) : Mat3(Mat3::Zero());
+  const Mat3 inertia = turn * (motion.inertia + point_inertia(motion.mass, motion.center - place)) * turn.transpose();
+  if (!pivot) return {place, force / motion.mass, (cross_matrix(inertia.inverse() * torque) + spin * spin) * turn};
+  const Vec3 angular = pivot->axes * (inverse_inertia_on_axes(*pivot, inertia) * (pivot->axes.transpose() * torque));
+  return {place, Vec3::Zero(), (cross_matrix(angular) + spin * spin) * turn};
 }
 
 /// Returns gravity and the loads without further changes.
@@ -44,9 +65,10 @@ void ExplicitRun::add_changing_loads() {
 void ExplicitRun::add_changing_load(const Body& body, const ExternalForces& forces, ChangingLoad& changing) const {
   const double f = body.explicit_state->similarity;
   const std::vector<NodeId> nodes = nodes_of(world_.mesh, body.tets);
-  const Vec3 common = common_acceleration(nodes, forces.nodes);
+  const RigidAcceleration as_a_whole = common_acceleration(body, nodes, forces.nodes, false);
   for (const NodeId node : nodes) {
-    const Vec3 whole = forces.nodes[node] / world_.nodes.masses[node], acting = common + f * (whole - common);
+    const Vec3 whole = forces.nodes[node] / world_.nodes.masses[node],
+               common = as_a_whole.at(world_.nodes.positions[node]), acting = common + f * (whole - common);
     if (whole.isZero(0) && acting.isZero(0)) continue;
     changing.nodes.push_back({local(node), {whole, acting}, explicit_bodies_.position(local(node))});
   }

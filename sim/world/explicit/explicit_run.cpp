@@ -67,7 +67,8 @@ void ExplicitRun::build(std::vector<explicit_dynamics::Obstacle> obstacles) {
 void ExplicitRun::add_body(const Body& body, const ExternalForces& external) {
   const std::vector<NodeId> nodes = nodes_of(world_.mesh, body.tets);
   const Placement placement = placement_of(world_, nodes);
-  add_nodes(nodes, placement, body.explicit_state->similarity, external.nodes);
+  add_nodes(nodes, placement, body.explicit_state->similarity, external.nodes,
+            common_acceleration(body, nodes, external.nodes, true));
   add_edges(body, external);
   add_elements(body, placement.turn);
   bodies_.push_back(body.id);
@@ -75,14 +76,15 @@ void ExplicitRun::add_body(const Body& body, const ExternalForces& external) {
   surfaces_.push_back({group_ == 0 ? body.scene_body : body.id.index(), world_.material_of(body).friction});
 }
 
-/// Adds nodes with `external` forces (per node of the mesh [N]). The part that strains the body is scaled by f.
+/// Adds nodes with `external` forces (per node of the mesh [N]). What strains the body, beyond its acceleration as a
+/// whole, is scaled by f.
 void ExplicitRun::add_nodes(const std::vector<NodeId>& nodes, const Placement& placement, double f,
-                            const std::vector<Vec3>& external) {
-  const Vec3 common = common_acceleration(nodes, external);
+                            const std::vector<Vec3>& external, const RigidAcceleration& as_a_whole) {
   for (const NodeId node : nodes) {
     const Vec3 reference = placement.to_world(world_.mesh->rest_positions[node]);
     const double mass = world_.nodes.masses[node];
-    const Vec3 whole = external[node] / mass, acting = common + f * (whole - common);
+    const Vec3 whole = external[node] / mass, common = as_a_whole.at(world_.nodes.positions[node]),
+               acting = f == 1 ? whole : Vec3(common + f * (whole - common));
     local_of_node_[node] = explicit_bodies_.add_node(
         {reference, world_.nodes.positions[node] - reference, world_.nodes.velocities[node], acting, mass});
     nodes_.push_back(node);

@@ -32,6 +32,13 @@ inline constexpr double kCourant = 0.5;
 /// element.
 inline constexpr double kPressing = 4;
 
+/// Acceleration of a body as a whole.
+struct RigidAcceleration {
+  Vec3 place = Vec3::Zero(), linear = Vec3::Zero();  ///< [m], [m/s²]
+  Mat3 by_arm = Mat3::Zero();                        ///< acceleration per distance from the place [1/s²]
+  Vec3 at(const Vec3& position) const { return linear + by_arm * (position - place); }
+};
+
 /// Microsteps of bodies in explicit dynamics over a part of a step, from and back to the world.
 class ExplicitRun {
  public:
@@ -84,8 +91,9 @@ class ExplicitRun {
   void build(std::vector<explicit_dynamics::Obstacle> obstacles);
   void add_body(const Body& body, const ExternalForces& external);
   void add_nodes(const std::vector<NodeId>& nodes, const Placement& placement, double f,
-                 const std::vector<Vec3>& external);
-  Vec3 common_acceleration(const std::vector<NodeId>& nodes, const std::vector<Vec3>& forces) const;
+                 const std::vector<Vec3>& external, const RigidAcceleration& as_a_whole);
+  RigidAcceleration common_acceleration(const Body& body, const std::vector<NodeId>& nodes,
+                                        const std::vector<Vec3>& forces, bool rotates) const;
   ExternalForces steady_forces() const;
   void add_changing_loads();
   void add_changing_load(const Body& body, const ExternalForces& forces, ChangingLoad& changing) const;
