@@ -64,6 +64,7 @@ struct Contact {
   NodeId node_a = {},
          node_b = {};  ///< nodes of the owner that touch here; at least one in contacts set by the owner, else none
   PositionTime position_at = PositionTime::start;
+  Vec3 couple = Vec3::Zero();  ///< angular impulse on both since each carried the position elsewhere [N·m·s]
 };
 
 /// Elastic object and the velocities of its points at contacts, without contact forces.
@@ -188,7 +189,10 @@ class ContactWorld {
   };
   Law law(int contact) const;
   /// Sets the impulse on a [N·s], world frame.
-  void set_impulse(int contact, const Vec3& impulse) { contacts()[contact].impulse = impulse; }
+  void set_impulse(int contact, const Vec3& impulse) {
+    contacts()[contact].impulse = impulse;
+    contacts()[contact].couple.setZero();
+  }
   /// Returns the mass and inertia, in the world frame, of an object that impulses move rigidly; empty for others. Those
   /// of a hinged one are about its place, and let it hardly do anything but turn about its axes.
   std::optional<RigidMass> rigid_mass(ProxyId object) const;

@@ -23,8 +23,7 @@ Block block_of(const RigidContact& contact, int begin) {
 
 void prepare(Point& point, const Block& block, const RigidContact& contact, const Motion& a, const Motion& b,
              double substep) {
-  point.arm_a = Triple(contact.arm_a);
-  point.arm_b = Triple(contact.arm_b);
+  set_arms(point, block, Triple(contact.arm_a), Triple(contact.arm_b), a, b);
   point.distance = contact.distance;
   point.is_mean = contact.is_mean;
   point.resting = contact.resting;
@@ -35,6 +34,19 @@ void prepare(Point& point, const Block& block, const RigidContact& contact, cons
     return motion.moves ? 0 : dot(block.normal, motion.velocity + cross(motion.spin, arm));
   };
   point.driven = driven(a, point.arm_a) - driven(b, point.arm_b);
+  const Triple start = substep * Triple(contact.force);
+  point.normal = std::max(0.0, dot(block.normal, start));
+  if (block.friction == 0) return;
+  point.first = dot(block.first, start);
+  point.second = dot(block.second, start);
+}
+
+}  // namespace
+
+void set_arms(Point& point, const Block& block, const Triple& arm_a, const Triple& arm_b, const Motion& a,
+              const Motion& b) {
+  point.arm_a = arm_a;
+  point.arm_b = arm_b;
   const Triple* const axes[3] = {&block.normal, &block.first, &block.second};
   Triple levers_a[3], levers_b[3];
   for (int k = 0; k < 3; ++k) {
@@ -54,14 +66,7 @@ void prepare(Point& point, const Block& block, const RigidContact& contact, cons
   point.yy = xx / determinant;
   const double mean = (xx + yy) / 2;
   point.inverse_largest = 1 / (mean + std::sqrt(std::max(0.0, mean * mean - determinant)));
-  const Triple start = substep * Triple(contact.force);
-  point.normal = std::max(0.0, dot(block.normal, start));
-  if (block.friction == 0) return;
-  point.first = dot(block.first, start);
-  point.second = dot(block.second, start);
 }
-
-}  // namespace
 
 std::vector<Motion> motions_of(std::span<const RigidBody> bodies) {
   std::vector<Motion> motions(bodies.size());

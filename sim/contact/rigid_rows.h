@@ -40,6 +40,8 @@ std::vector<Motion> motions_of(std::span<const RigidBody> bodies);
 /// Contact as the substeps need it, in the order in which sweeps read it. Impulses are along the block's axes, on a.
 struct Point {
   Triple arm_a, arm_b;
+  Triple couple, counted;  ///< angular impulse on both by the shift, and the impulse of which it is [N·m·s], [N·s]
+  Triple shift;            ///< from arm_a to that at the start, and back from arm_b: see meet() [m]
   double inverse_normal = 0;                 ///< 1 / compliance along the normal [kg]
   double couple_x = 0, couple_y = 0;         ///< compliance of the tangents under a normal impulse [1/kg]
   double xx = 0, xy = 0, yy = 0;             ///< inverse of the tangents' compliance [kg]
@@ -65,6 +67,10 @@ struct Block {
   int begin = 0, end = 0;  ///< range of its points
   bool overlaps = false;   ///< true if the overlap exceeds the one that remains
 };
+
+/// Sets the arms of a contact, and the compliances that follow from them.
+void set_arms(Point& point, const Block& block, const Triple& arm_a, const Triple& arm_b, const Motion& a,
+              const Motion& b);
 
 /// Contacts of a group, those of two bodies together, in the order in which they are solved: downward through a pile,
 /// which carries its load at once; in a large group by colors, so that those of one color share no body that contacts

@@ -97,11 +97,12 @@ class GroupStep {
                  down_b = b_moves ? transposed_times(turns_[block.b].less_identity, block.normal) : Triple();
     for (int i = block.begin; i < block.end; ++i) {
       Point& point = rows_.points[i];
-      const double turned =
-          point.is_mean ? along_tangents(block, point) : dot(down_a, point.arm_a) - dot(down_b, point.arm_b);
+      const double turned = point.is_mean ? along_tangents(block, point)
+                                          : dot(down_a, start_of_a(point)) - dot(down_b, start_of_b(point));
       point.gap = point.distance + time * point.driven + along + turned;
       point.target = -std::max(point.gap, 0.0) / h_;
       if (time > 0) point.total += Triple{point.normal, point.first, point.second};
+      if (a_moves && b_moves && has_slid(point, apart)) meet(block, point, apart, a, b);
       if (point.normal == 0) {
         point.first = point.second = 0;
         continue;
@@ -114,10 +115,39 @@ class GroupStep {
     if (b_moves) motions_[block.b] = b;
   }
 
+  static Triple start_of_a(const Point& point) { return point.arm_a + point.shift; }
+  static Triple start_of_b(const Point& point) { return point.arm_b - point.shift; }
+
   /// Returns how far rotations along tangents open a gap [m].
   double along_tangents(const Block& block, const Point& point) const {
-    return dot(cross(block.normal, Triple(bodies_[block.a].rotation)), point.arm_a) -
-           dot(cross(block.normal, Triple(bodies_[block.b].rotation)), point.arm_b);
+    return dot(cross(block.normal, Triple(bodies_[block.a].rotation)), start_of_a(point)) -
+           dot(cross(block.normal, Triple(bodies_[block.b].rotation)), start_of_b(point));
+  }
+
+  /// True if two bodies have moved `apart` since a contact was placed, by much of its arms.
+  static bool has_slid(const Point& point, const Triple& apart) {
+    constexpr double kSlid = 0.01 * 0.01;  // of the square of the shorter arm
+    const Triple slid = 0.5 * apart + -point.shift;
+    return dot(slid, slid) > kSlid * std::min(dot(point.arm_a, point.arm_a), dot(point.arm_b, point.arm_b));
+  }
+
+  static Triple along_axes(const Block& block, const Triple& values) {
+    return values.x * block.normal + values.y * block.first + values.z * block.second;
+  }
+
+  /// Adds the angular impulse by the shift of what has been added to the impulse since the last time.
+  static void count_couple(const Block& block, Point& point) {
+    point.couple -= cross(point.shift, along_axes(block, point.total + -point.counted));
+    point.counted = point.total;
+  }
+
+  /// Places a contact where two bodies meet that have moved `apart` since the start: half-way between where each of
+  /// them has carried it. At two places, the impulses on both would change their angular momentum.
+  static void meet(const Block& block, Point& point, const Triple& apart, const Motion& a, const Motion& b) {
+    count_couple(block, point);
+    const Triple shift = 0.5 * apart, arm_a = start_of_a(point), arm_b = start_of_b(point);
+    point.shift = shift;
+    set_arms(point, block, arm_a - shift, arm_b + shift, a, b);
   }
 
   void move(int i) const {
@@ -173,12 +203,11 @@ class GroupStep {
   void finish() {
     for (const Block& block : rows_.blocks)
       for (int i = block.begin; i < block.end; ++i) {
-        const auto along_axes = [&](const Triple& values) {
-          return (values.x * block.normal + values.y * block.first + values.z * block.second).vector();
-        };
-        const Point& point = rows_.points[i];
-        contacts_[point.contact].impulse = along_axes(point.total);
-        contacts_[point.contact].force = along_axes(point.force) / h_;
+        Point& point = rows_.points[i];
+        count_couple(block, point);
+        contacts_[point.contact].impulse = along_axes(block, point.total).vector();
+        contacts_[point.contact].couple = point.couple.vector();
+        contacts_[point.contact].force = along_axes(block, point.force).vector() / h_;
         if (!(point.total.x > 0) && !(point.pushed > 0)) continue;
         for (const int side : {block.a, block.b})
           if (motions_[side].moves) bodies_[side].touched = true;

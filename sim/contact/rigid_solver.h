@@ -36,6 +36,7 @@ struct RigidContact {
   double fall = 0;              ///< part of it by external forces in the step [m/s]
   Vec3 force = Vec3::Zero();    ///< on a: of the last step; then of this one's last substep [N]
   Vec3 impulse = Vec3::Zero();  ///< found: on a [N·s]
+  Vec3 couple = Vec3::Zero();   ///< found: angular impulse on both beyond that at the arms [N·m·s]
 };
 
 /// Bodies connected by contacts: indices of both.
@@ -47,10 +48,10 @@ struct RigidGroup {
 /// Moves each group of rigid bodies through a step of `dt` [s] > 0 in substeps, each started from the impulses of the
 /// last: small substeps converge faster than sweeps (Macklin et al. 2019; Catto 2023). Contacts push only and within
 /// Coulomb's friction; gaps close within a substep at most, so that nothing gets into anything that was foreseen.
-/// Impulses act at the places and along the normals of the step's start: their sum is the change of momentum, linear
-/// and angular. Overlaps go by displacements that add no velocity. What strikes parts at the end, by a velocity that
-/// leads back to restitution² of the height it fell from. Results do not depend on the threads. Returns how many times
-/// a contact was solved.
+/// Impulses act along the normals of the step's start, half-way between where both bodies have carried the contact:
+/// they keep momentum, linear and angular. Overlaps go by displacements that add no velocity. What strikes parts at the
+/// end, by a velocity that leads back to restitution² of the height it fell from. Results do not depend on the threads.
+/// Returns how many times a contact was solved.
 int solve_rigid(std::span<RigidBody> bodies, std::span<RigidContact> contacts, std::span<RigidGroup> groups, double dt);
 
 }  // namespace griffith::contact

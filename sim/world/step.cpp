@@ -166,8 +166,8 @@ bool move_within_ceiling(WorldState& world, double substep, StepImpacts& impacts
   return false;
 }
 
-/// Most substeps of a step that are undone for one reason.
-constexpr int kMaxUndone = 16;
+/// Most substeps of a step that are undone: for strains, for loads.
+constexpr int kMaxUndone = 12, kMaxLate = 16;
 
 /// Moves everything on by `substep` [s]. Where the nonlinear step of a soft body does not converge, or one turns so far
 /// that it comes to lie below the ground, restores the state before and halves the limit, but not more than some times
@@ -188,7 +188,7 @@ bool move_within_strains(WorldState& world, double substep, SubstepLimit& limit,
 
 /// Returns the state before a substep [s] that has to be undone if it overloads bodies; none if it may not.
 std::optional<BeforeSubstep> keep_if_overloading(const WorldState& world, double substep, const SubstepLimit& limit) {
-  if (substep < 2 * limit.shortest_if_held || limit.late == kMaxUndone || !may_overload(world)) return std::nullopt;
+  if (substep < 2 * limit.shortest_if_held || limit.late == kMaxLate || !may_overload(world)) return std::nullopt;
   return BeforeSubstep(world);
 }
 

@@ -12,7 +12,7 @@ using namespace contact;
 
 namespace {
 
-static_assert(sizeof(Contact) == 12 * sizeof(double) + 4 * sizeof(NodeId), "it has no padding");
+static_assert(sizeof(Contact) == 15 * sizeof(double) + 4 * sizeof(NodeId), "it has no padding");
 static_assert(sizeof(NodeContact) == 6 * sizeof(double) + 4 * sizeof(NodeId), "it has no padding");
 static_assert(sizeof(Allowance) == sizeof(double) + 2 * sizeof(ProxyId), "it has no padding");
 

@@ -129,7 +129,7 @@ void ContactWorld::Impl::set_target(int contact, double dt) {
   Contact& of = contacts[contact];
   Law& law = laws[law_of_contact[contact]];
   of.approach = -of.normal.dot(law.free_velocity);
-  of.impulse.setZero();
+  of.impulse.setZero(), of.couple.setZero();
   law.target_velocity = target_velocity(of, dt);
 }
 
@@ -231,6 +231,8 @@ std::vector<ContactWorld::Impl::Momentum> ContactWorld::Impl::impulse_sums() con
     sums[contact.b].linear -= impulse;
     sums[contact.a].angular += (contact.position - objects[contact.a].state.pose.translation).cross(impulse);
     sums[contact.b].angular -= (contact.position - objects[contact.b].state.pose.translation).cross(impulse);
+    sums[contact.a].angular += contact.couple;
+    sums[contact.b].angular += contact.couple;
   }
   return sums;
 }

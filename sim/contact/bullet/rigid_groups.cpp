@@ -152,6 +152,7 @@ int ContactWorld::Impl::solve_rigid_groups(double dt) {
     Contact& contact = contacts[contact_of[i]];
     contact.approach = rows[i].approach;
     contact.impulse = rows[i].impulse;
+    contact.couple = rows[i].couple;
     remember_force(memories[contact_of[i]], rows[i].force);
   }
   return work;

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <random>
+#include <string>
+
 #include "sim/core/temporary_folder.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/write_mesh.h"
@@ -64,6 +67,47 @@ TEST(Momentum, PiecesOfOneMeshSpinAboutTheirCommonCenter) {
     const Vec3 expected = Vec3(1, 0, 0) + Vec3(0.3, 2, -1).cross(frame.nodes.positions[i] - center);
     EXPECT_LT((frame.nodes.velocities[i] - expected).norm(), 1e-12);
   }
+}
+
+/// Two boxes of other sizes that meet off their centers, in weightless space.
+Scene meeting_boxes(std::mt19937& random, double time_step) {
+  std::uniform_real_distribution<double> number(-1, 1);
+  const auto vector = [&](double scale) { return Vec3(scale * Vec3(number(random), number(random), number(random))); };
+  Scene scene;
+  scene.gravity.setZero();
+  scene.ground.reset();
+  scene.simulation.time_step = time_step;
+  scene.simulation.fracture = false;
+  for (int i = 0; i < 2; ++i) {
+    BodyDescription& body = scene.bodies.emplace_back();
+    body.name = "box " + std::to_string(i);
+    body.shape = BoxShape{Vec3(0.3, 0.4, 0.5) + vector(0.2), Vec3::Constant(1), BoxPattern::five_tet};
+    body.position = Vec3(i == 0 ? -0.8 : 0.8, 0, 0) + vector(0.15);
+    body.velocity = Vec3(i == 0 ? 2 : -1, 0, 0) + vector(0.3);
+    body.rotation_degrees = vector(180);
+    body.angular_velocity = vector(2);
+  }
+  return scene;
+}
+
+/// Contacts act within a step, where both bodies have come to: at two places they would change angular momentum.
+TEST(Momentum, BodiesThatCollideWithinLongStepsKeepIt) {
+  std::mt19937 random(11);
+  int collided = 0;
+  for (int i = 0; i < 24; ++i) {
+    World world(meeting_boxes(random, i % 2 == 0 ? 1.0 / 30 : 1.0 / 60));
+    const Vec3 linear = world.frame().totals.momentum, angular = world.frame().totals.angular_momentum;
+    const double exchanged = 2 * world.frame().bodies[0].mass * world.frame().bodies[0].velocity.norm();
+    bool touched = false;
+    while (world.frame().time < 0.8) {
+      world.step();
+      touched |= !world.frame().contacts.empty();
+    }
+    collided += touched;
+    EXPECT_LT((world.frame().totals.momentum - linear).norm(), 1e-9 * exchanged) << i;
+    EXPECT_LT((world.frame().totals.angular_momentum - angular).norm(), 5e-3 * 0.5 * exchanged) << i;
+  }
+  EXPECT_GT(collided, 12);
 }
 
 }  // namespace
