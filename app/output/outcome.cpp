@@ -70,7 +70,7 @@ std::vector<OutcomeKind> main_outcomes() {
        [](const Run& run) { return run.frame.energy.unaccounted(); }},
       {"least_scaling", "-", "Smallest factor of an impact scaled for the step budget; 1: none", main,
        [](const Run& run) { return run.tally.least_scaling; }},
-      {"trouble", "", "Unconverged solves, inverted tetrahedra and values that are not finite", main,
+      {"trouble", "", "Sum of all counters that warn: of what did not converge or end, was postponed or omitted", main,
        [](const Run& run) { return static_cast<double>(run.tally.trouble); }},
   };
 }
@@ -141,7 +141,7 @@ void RunTally::add(const Frame& frame) {
   peak_utilization = std::max(peak_utilization, frame.report.peak_utilization);
   for (const BodyView& body : frame.bodies)
     if (body.scaled) least_scaling = std::min(least_scaling, body.scaled->factor);
-  trouble += frame.report.unconverged_solves + frame.report.inverted_tets + frame.report.non_finite_values;
+  trouble += warnings_of(frame.report);
 }
 
 std::span<const OutcomeKind> outcome_kinds() {

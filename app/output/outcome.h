@@ -23,7 +23,7 @@ struct RunTally {
   double breaking_time = kNever;  ///< end of the first step with a fragment [s]
   double peak_utilization = 0;
   double least_scaling = 1;  ///< smallest factor of any scaled impact
-  int trouble = 0;           ///< total of unconverged solves, inverted tets and values that were not finite
+  int trouble = 0;           ///< sum of all counters that warn (step_counters.h)
   StepReport total;          ///< totals of all steps, by add_step()
 
   /// Adds the step that led to `frame`.

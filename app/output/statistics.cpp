@@ -3,16 +3,19 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <string_view>
+#include <variant>
 
 #include "app/shared/hash_text.h"
 #include "app/shared/quantile.h"
 #include "sim/world/output/scaled_breaks.h"
+#include "sim/world/output/step_counters.h"
 
 namespace griffith::app {
 namespace {
@@ -47,6 +50,19 @@ Json& place_of(Json& json, std::string_view key) {
   const bool is_number = name.find_first_not_of("0123456789") == std::string_view::npos;
   Json& place = is_number ? json[std::stoul(std::string(name))] : json[std::string(name)];
   return dot == key.size() ? place : place_of(place, key.substr(dot + 1));
+}
+
+/// Returns the counters that warn, "3 unfinished impacts, 12 unconverged contacts", or "none".
+std::string trouble_text(const StepReport& total) {
+  std::string text;
+  for (const StepCounter& counter : step_counters()) {
+    const auto* const value = std::get_if<int StepReport::*>(&counter.value);
+    if (!value || counter.concern == CounterConcern::none || total.**value == 0) continue;
+    std::string label(counter.label);
+    label[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(label[0])));
+    text += (text.empty() ? "" : ", ") + std::to_string(total.**value) + " " + label;
+  }
+  return text.empty() ? "none" : text;
 }
 
 /// Returns the stand-in material of a scene body and its reason.
@@ -152,14 +168,12 @@ std::string RunStatistics::summary(const Frame& frame, std::uint64_t state_hash)
                 "%lld steps of %.4g ms: %zu tetrahedra, %zu nodes, %zu pieces (%d fragments), %zu crack events\n"
                 "step time: median %.2f ms, 99 %% below %.2f ms, longest %.2f ms\n"
                 "solver: at most %d iterations, relative residual at most %.1e, %d unconverged\n"
-                "trouble: %d cracks postponed, %d suppressed, %d unfinished equilibria, %d inverted tetrahedra, %d "
-                "values not finite\n"
+                "trouble: %s\n"
                 "state hash %s\n",
                 static_cast<long long>(frame.step), 1e3 * time_step_, frame.elements.tets.size(),
                 frame.nodes.positions.size(), frame.bodies.size(), frame.fragments, frame.crack_events.size(),
                 times.median, times.p99, times.max, t.solver_iterations, t.max_relative_residual, t.unconverged_solves,
-                t.cracks_postponed, t.cracks_suppressed, t.unfinished_equilibria, t.inverted_tets, t.non_finite_values,
-                hash_text(state_hash).c_str());
+                trouble_text(t).c_str(), hash_text(state_hash).c_str());
   std::string lines = text;
   for (const auto& [scene_body, scaled] : scaled_) {
     const ScaledImpact& slowest = scaled.slowest;

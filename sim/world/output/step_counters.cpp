@@ -71,6 +71,14 @@ constexpr StepCounter kCounters[] = {
 
 std::span<const StepCounter> step_counters() { return kCounters; }
 
+int warnings_of(const StepReport& step) {
+  int sum = 0;
+  for (const StepCounter& counter : kCounters)
+    if (const auto* const value = std::get_if<int StepReport::*>(&counter.value); value && counter.concern != kNone)
+      sum += step.**value;
+  return sum;
+}
+
 void add_step(const StepReport& step, StepReport& total) {
   for (const StepCounter& counter : kCounters)
     std::visit(

@@ -28,6 +28,9 @@ struct StepCounter {
 /// Returns all counters, in the order of tables. A new one is a line here and in StepReport.
 std::span<const StepCounter> step_counters();
 
+/// Returns the sum of all counters of a step that concern its user.
+int warnings_of(const StepReport& step);
+
 /// Takes a step into the report of many.
 void add_step(const StepReport& step, StepReport& total);
 
