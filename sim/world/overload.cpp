@@ -49,20 +49,24 @@ double lost_in_stop(const WorldState& world, const ContactLoad& load, double dt)
 }
 
 /// Returns the energy that the last implicit substep `dt` [s] took by its damping from a body and from what it touches
-/// [J]. Forces under which it rests count as stops, unless only `impacts` count.
-double damped_energy(const WorldState& world, const Body& body, double dt, bool impacts) {
+/// [J]. At a high load, forces at rest count as if they had stopped what they act on: they may just have begun.
+/// `is_low`: the load is not high.
+double damped_energy(const WorldState& world, const Body& body, double dt, bool is_low) {
   double energy = world.scratch.bodies[body.id].damped;
-  for (const ContactLoad& load : body.known_contact_loads)
-    energy += impacts ? load.lost_in_impact : std::max(load.lost_in_impact, lost_in_stop(world, load, dt));
+  for (const ContactLoad& load : body.known_contact_loads) {
+    const double stopped = is_low ? 0 : lost_in_stop(world, load, dt);
+    energy += is_thin(body) ? std::max(load.lost_in_impact, stopped) : stopped;
+  }
   return energy;
 }
 
 /// True if a body suited to microsteps would have been overloaded with the energy that the damping of the implicit
-/// substep took. Stress grows with the root of the energy.
-bool is_held_by_damping(const WorldState& world, const Body& body, double dt) {
+/// substep took. Stress grows with the root of the energy. `shortest`: substep below which stout bodies are not asked.
+bool is_held_by_damping(const WorldState& world, const Body& body, double dt, double shortest) {
   // Of the resistance: of less load, damping says little about the stress. Thin bodies bend for longer than a step.
   constexpr double kLoaded = 0.3, kBent = 0.03;
   if (!body.is_deformable() || body.id.index() >= static_cast<int>(world.scratch.bodies.size())) return false;
+  if (!is_thin(body) && dt < 2 * shortest) return false;
   const double utilization = highest_utilization(world, body);
   if (utilization < (is_thin(body) ? kBent : kLoaded) || utilization > 1) return false;
   const double elastic = elastic_energy(world, body), damped = damped_energy(world, body, dt, utilization < kLoaded);
@@ -97,8 +101,9 @@ double fraction_until_overload(const WorldState& before, const WorldState& world
   return fraction;
 }
 
-bool may_be_held_by_damping(const WorldState& world, double dt) {
-  return std::ranges::any_of(world.bodies, [&](const Body& body) { return is_held_by_damping(world, body, dt); });
+bool may_be_held_by_damping(const WorldState& world, double dt, double shortest) {
+  return std::ranges::any_of(world.bodies,
+                             [&](const Body& body) { return is_held_by_damping(world, body, dt, shortest); });
 }
 
 void begin_explicit_if_overloaded(WorldState& world) {

@@ -15,8 +15,8 @@ bool may_overload(const WorldState& world);
 double fraction_until_overload(const WorldState& before, const WorldState& world, double last_over_this);
 
 /// True if the damping of the last implicit substep, `dt` [s], took so much energy from a body and from what it stopped
-/// that it may have held by that alone.
-bool may_be_held_by_damping(const WorldState& world, double dt);
+/// that it may have held by that alone. `shortest`: length of the shortest substep of a body that is not thin [s].
+bool may_be_held_by_damping(const WorldState& world, double dt, double shortest);
 
 /// Begins explicit dynamics of overloaded bodies.
 void begin_explicit_if_overloaded(WorldState& world);

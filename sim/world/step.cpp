@@ -198,11 +198,10 @@ bool undo_if_overloaded(WorldState& world, const BeforeSubstep& before, double s
   constexpr double kHalf = 0.5;
   const double fraction =
       substep < 2 * limit.shortest ? 1 : fraction_until_overload(before.world, world, limit.last / substep);
-  const bool is_held = fraction == 1 && may_be_held_by_damping(world, substep);
+  const bool is_held = fraction == 1 && may_be_held_by_damping(world, substep, limit.shortest);
   if (fraction == 1 && !is_held) return false;
   restore(world, before);
-  limit.longest =
-      is_held ? std::max(kHalf * substep, limit.shortest_if_held) : std::max(fraction * substep, limit.shortest);
+  limit.longest = is_held ? kHalf * substep : std::max(fraction * substep, limit.shortest);
   ++limit.late;
   return true;
 }

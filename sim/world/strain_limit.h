@@ -7,7 +7,7 @@ namespace griffith {
 /// Length of the substeps in a step, as far as deformable bodies limit it.
 struct SubstepLimit {
   double longest = 0, shortest = 0;  ///< [s]
-  double shortest_if_held = 0;       ///< lower limit where damping may hold a body [s]
+  double shortest_if_held = 0;       ///< lower limit where damping may hold a thin body [s]
   double last = 0;                   ///< length of the last substep [s]
   int undone = 0;                    ///< substeps that were undone since bodies strained or sank too far
   int late = 0;                      ///< substeps that were undone since cracks would begin late
