@@ -29,7 +29,7 @@ Scene block_on_slab(double time_step) {
   return scene;
 }
 
-/// Of the pieces of the block that have not flown beyond the slab.
+/// Returns that of the pieces of the block that have not flown beyond the slab [m].
 double lowest_center(const Frame& frame) {
   double lowest = std::numeric_limits<double>::infinity();
   for (const BodyView& body : frame.bodies) {
