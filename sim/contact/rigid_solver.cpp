@@ -95,6 +95,8 @@ class GroupStep {
     const double along = dot(block.normal, apart);
     const Triple down_a = a_moves ? transposed_times(turns_[block.a].less_identity, block.normal) : Triple(),
                  down_b = b_moves ? transposed_times(turns_[block.b].less_identity, block.normal) : Triple();
+    // On a ball, a contact stays on the line along its normal through the center.
+    const bool carries = a_moves && b_moves && !bodies_[block.a].is_round && !bodies_[block.b].is_round;
     for (int i = block.begin; i < block.end; ++i) {
       Point& point = rows_.points[i];
       const double turned = point.is_mean ? along_tangents(block, point)
@@ -102,7 +104,7 @@ class GroupStep {
       point.gap = point.distance + time * point.driven + along + turned;
       point.target = -std::max(point.gap, 0.0) / h_;
       if (time > 0) point.total += Triple{point.normal, point.first, point.second};
-      if (a_moves && b_moves && has_slid(point, apart)) meet(block, point, apart, a, b);
+      if (carries && has_slid(point, apart)) meet(block, point, apart, a, b);
       if (point.normal == 0) {
         point.first = point.second = 0;
         continue;

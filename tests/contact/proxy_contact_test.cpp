@@ -293,7 +293,7 @@ TEST(ProxyContact, ImpulsesAreTheChangesOfMomentumInAHeap) {
         if (contact.a != chunks[i] && contact.b != chunks[i]) continue;
         const Vec3 own = contact.a == chunks[i] ? contact.impulse : Vec3(-contact.impulse);
         impulse += own;
-        angular_impulse += (contact.position - before[i].pose.translation).cross(own);
+        angular_impulse += (contact.position - before[i].pose.translation).cross(own) + contact.couple;
       }
       const Mat3 rotation = before[i].pose.rotation.toRotationMatrix();
       const Mat3 inertia = rotation * mass.inertia * rotation.transpose();

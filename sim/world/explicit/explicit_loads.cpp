@@ -21,12 +21,14 @@ RigidAcceleration ExplicitRun::common_acceleration(const Body& body, const std::
   constexpr double kFar = 0.5;  // [rad]
   const auto is_free = [&](NodeId node) { return world_.nodes.constraints[node].is_free(); };
   const bool all_free = std::ranges::all_of(nodes, is_free);
-  const std::optional<Pivot> pivot = all_free ? std::nullopt : pivot_of(world_, body);
+  // Cuts of remeshing end a run at any time: it has no known middle, and the body's nodes are out of date at first.
+  const bool is_cut = world_.model->scene.bodies[body.scene_body].remeshing;
+  const std::optional<Pivot> pivot = all_free || is_cut ? std::nullopt : pivot_of(world_, body);
   if (!all_free && !pivot) return {};
   const RigidMotion motion = motion_of(world_, nodes);
   const Vec3 place = pivot ? pivot->place : motion.center,
              way = 0.5 * std::max(0.0, others_at_ - time_) * motion.angular_velocity;
-  const bool has_direction = 2 * way.norm() < kFar;
+  const bool has_direction = !is_cut && 2 * way.norm() < kFar;
   const Mat3 turn = has_direction ? rotation_by(way).toRotationMatrix() : Mat3(Mat3::Identity());
   Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
   for (const NodeId node : nodes) {
