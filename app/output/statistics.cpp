@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <string_view>
-#include <variant>
 
 #include "app/shared/hash_text.h"
 #include "app/shared/quantile.h"
@@ -56,11 +55,11 @@ Json& place_of(Json& json, std::string_view key) {
 std::string trouble_text(const StepReport& total) {
   std::string text;
   for (const StepCounter& counter : step_counters()) {
-    const auto* const value = std::get_if<int StepReport::*>(&counter.value);
-    if (!value || counter.concern == CounterConcern::none || total.**value == 0) continue;
+    const int count = warnings_of(counter, total);
+    if (count == 0) continue;
     std::string label(counter.label);
     label[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(label[0])));
-    text += (text.empty() ? "" : ", ") + std::to_string(total.**value) + " " + label;
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + label;
   }
   return text.empty() ? "none" : text;
 }

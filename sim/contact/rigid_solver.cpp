@@ -129,7 +129,7 @@ class GroupStep {
   /// True if two bodies have moved `apart` since a contact was placed, by much of its arms.
   static bool has_slid(const Point& point, const Triple& apart) {
     constexpr double kSlid = 0.01 * 0.01;  // of the square of the shorter arm
-    const Triple slid = 0.5 * apart + -point.shift;
+    const Triple slid = 0.5 * apart - point.shift;
     return dot(slid, slid) > kSlid * std::min(dot(point.arm_a, point.arm_a), dot(point.arm_b, point.arm_b));
   }
 
@@ -139,7 +139,7 @@ class GroupStep {
 
   /// Adds the angular impulse by the shift of what has been added to the impulse since the last time.
   static void count_couple(const Block& block, Point& point) {
-    point.couple -= cross(point.shift, along_axes(block, point.total + -point.counted));
+    point.couple -= cross(point.shift, along_axes(block, point.total - point.counted));
     point.counted = point.total;
   }
 

@@ -67,8 +67,9 @@ void ExplicitRun::build(std::vector<explicit_dynamics::Obstacle> obstacles) {
 void ExplicitRun::add_body(const Body& body, const ExternalForces& external) {
   const std::vector<NodeId> nodes = nodes_of(world_.mesh, body.tets);
   const Placement placement = placement_of(world_, nodes);
-  add_nodes(nodes, placement, body.explicit_state->similarity, external.nodes,
-            common_acceleration(body, nodes, external.nodes, true));
+  const double f = body.explicit_state->similarity;
+  add_nodes(nodes, placement, f, external.nodes,
+            f < 1 ? common_acceleration(body, nodes, external.nodes, true) : RigidAcceleration());
   add_edges(body, external);
   add_elements(body, placement.turn);
   bodies_.push_back(body.id);

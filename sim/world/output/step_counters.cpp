@@ -71,11 +71,14 @@ constexpr StepCounter kCounters[] = {
 
 std::span<const StepCounter> step_counters() { return kCounters; }
 
+int warnings_of(const StepCounter& counter, const StepReport& step) {
+  const auto* const value = std::get_if<int StepReport::*>(&counter.value);
+  return value && counter.concern != kNone ? step.**value : 0;
+}
+
 int warnings_of(const StepReport& step) {
   int sum = 0;
-  for (const StepCounter& counter : kCounters)
-    if (const auto* const value = std::get_if<int StepReport::*>(&counter.value); value && counter.concern != kNone)
-      sum += step.**value;
+  for (const StepCounter& counter : kCounters) sum += warnings_of(counter, step);
   return sum;
 }
 

@@ -28,7 +28,9 @@ struct StepCounter {
 /// Returns all counters, in the order of tables. A new one is a line here and in StepReport.
 std::span<const StepCounter> step_counters();
 
-/// Returns the sum of all counters of a step that concern its user.
+/// Returns a counter's number in a step if it warns, else 0.
+int warnings_of(const StepCounter& counter, const StepReport& step);
+/// Returns the sum of all of these.
 int warnings_of(const StepReport& step);
 
 /// Takes a step into the report of many.
