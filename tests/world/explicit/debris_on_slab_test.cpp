@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "sim/world/world.h"
+#include "tests/world/contact/contact_scenes.h"
 
 namespace griffith {
 namespace {
@@ -13,18 +14,13 @@ Scene block_on_slab(double time_step) {
   Scene scene;
   scene.ground.reset();
   scene.simulation.time_step = time_step;
-  BodyDescription slab, block;
-  slab.name = "slab";
-  slab.shape = BoxShape{Vec3(2, 0.1, 2), Vec3(0.5, 0.1, 0.5), BoxPattern::five_tet};
-  slab.position = Vec3(0, -0.05, 0);
-  slab.material = *find_material_preset("granite");
+  BodyDescription slab =
+      testing::box("slab", Vec3(2, 0.1, 2), Vec3(0, -0.05, 0), testing::preset("granite"), Vec3(0.5, 0.1, 0.5));
   slab.supports = {{HalfSpaceRegion{Vec3::Zero(), -Vec3::UnitY()}}};
-  block.name = "block";
-  block.shape = BoxShape{Vec3(0.1, 0.08, 0.07), Vec3::Constant(0.05), BoxPattern::five_tet};
-  block.position = Vec3(0, 0.12, 0);
+  BodyDescription block =
+      testing::box("block", Vec3(0.1, 0.08, 0.07), Vec3(0, 0.12, 0), testing::preset("ice"), Vec3::Constant(0.05));
   block.rotation_degrees = Vec3(20, 10, 35);
   block.velocity = Vec3(0, -3, 0);
-  block.material = *find_material_preset("ice");
   scene.bodies = {slab, block};
   return scene;
 }

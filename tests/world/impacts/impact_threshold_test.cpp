@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/world/world.h"
+#include "tests/world/contact/contact_scenes.h"
 
 namespace griffith {
 namespace {
@@ -36,16 +37,11 @@ Scene struck_beam(double time_step, double speed) {
   Scene scene;
   scene.simulation.time_step = time_step;
   scene.ground.reset();
-  const auto add = [&](const Vec3& size, const Vec3& element_size, const Vec3& position, const char* material) {
-    BodyDescription& body = scene.bodies.emplace_back();
-    body.name = "body " + std::to_string(scene.bodies.size());
-    body.shape = BoxShape{size, element_size, BoxPattern::five_tet};
-    body.position = position;
-    body.material = *find_material_preset(material);
-  };
-  add(Vec3(0.4, 0.01, 0.04), Vec3(0.02, 0.01, 0.02), Vec3::Zero(), "soda_lime_glass");
+  scene.bodies = {testing::box("beam", Vec3(0.4, 0.01, 0.04), Vec3::Zero(), testing::preset("soda_lime_glass"),
+                               Vec3(0.02, 0.01, 0.02))};
   for (const double x : {-0.18, 0.18}) {
-    add(Vec3(0.02, 0.02, 0.06), Vec3::Constant(0.02), Vec3(x, -0.015, 0), "mild_steel");
+    scene.bodies.push_back(testing::box("bearing at " + std::to_string(x), Vec3(0.02, 0.02, 0.06), Vec3(x, -0.015, 0),
+                                        testing::preset("mild_steel"), Vec3::Constant(0.02)));
     scene.bodies.back().supports = {{HalfSpaceRegion{Vec3(0, -0.005, 0), -Vec3::UnitY()}}};
   }
   ProjectileBurst& ball = scene.projectiles.emplace_back();
