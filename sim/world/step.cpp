@@ -1,6 +1,8 @@
 #include "sim/world/step.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <cstdio>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -21,6 +23,7 @@
 #include "sim/world/fracture/fracture_phase.h"
 #include "sim/world/fracture/separation_phase.h"
 #include "sim/world/grab_force.h"
+#include "sim/world/impacts/struck_bodies.h"
 #include "sim/world/motion/elastic_phase.h"
 #include "sim/world/motion/equilibrium.h"
 #include "sim/world/motion/explicit_integration.h"
@@ -220,6 +223,30 @@ double turning_limit(const WorldState& world, double shortest) {
   return std::max(kFar / spins[kFew], shortest);
 }
 
+/// True if something else is about to strike a body within `left` [s] that has come out of microsteps since `start`
+/// [s], in a step with cracks, and now deforms without them.
+bool is_struck_again(const WorldState& world, double start, double left) {
+  const auto has_broken = [&](BodyId id) {
+    return id.valid() && world.bodies[id].is_deformable() && world.bodies[id].explicit_ended > start;
+  };
+  const auto matters = [&](BodyId a, BodyId b) {
+    return (has_broken(a) || has_broken(b)) && !have_just_parted(world, a, b);
+  };
+  return world.report.cracks > 0 && !any_explicit(world) && !expected_impacts(world, left, matters).empty();
+}
+
+/// Returns the length of the next substep of a step with `left` [s] to go [s]. Where what has just broken goes on
+/// without microsteps though something passes through it, substeps start short and grow: contacts are those of the
+/// start of a substep, in which faces beside a hole would stop it.
+double choose_substep(WorldState& world, double left, SubstepLimit& limit, StepImpacts& impacts) {
+  const double last_start = world.time - limit.last;
+  const bool was_followed = world.report.unfinished_explicit == 0;
+  const double next = next_substep(world, left, impacts);
+  if ((was_followed && world.report.unfinished_explicit > 0) || is_struck_again(world, last_start, left))
+    limit.longest = limit.shortest;
+  return std::min({limit.longest, turning_limit(world, limit.shortest), next});
+}
+
 /// Makes substeps: up to the next impact, and while waves run in bodies that were hit or crack. Bodies in explicit
 /// dynamics take microsteps through a substep, all else one implicit substep, after which what is too soft for
 /// microsteps cracks. A substep in which cracks would begin late is undone, and ends where they begin.
@@ -231,8 +258,7 @@ void step_in_substeps(WorldState& world, double time_step) {
   SubstepLimit limit = strain_limit(world, time_step);
   StepImpacts impacts;
   for (double left = time_step; left > kRounding * time_step; ++world.report.substeps) {
-    const double start = world.time, substep = std::min({limit.longest, turning_limit(world, limit.shortest),
-                                                         next_substep(world, left, impacts)});
+    const double start = world.time, substep = choose_substep(world, left, limit, impacts);
     const std::optional<BeforeSubstep> before = keep_if_overloading(world, substep, limit);
     timed(ms.explicit_dynamics, [&] { impacts.follow_alone(world, substep); });
     if (!move_within_strains(world, substep, limit, impacts)) continue;
@@ -245,6 +271,8 @@ void step_in_substeps(WorldState& world, double time_step) {
     timed(ms.separation, [&] { evaluate_separation(world, true); });
     if (before && undo_if_overloaded(world, *before, substep, limit)) continue;
     left -= limit.last = substep;
+    if (getenv("DBG")) { int ex=0,el=0,et=0; for (auto& b: world.bodies) { ex += b.explicit_state.has_value(); if(b.explicit_state) et+=b.tets.size(); el += b.is_deformable(); }
+      fprintf(stderr, "  sub %.3g at %.5f: el %.0f ct %.0f ex %.0f sep %.0f | explicit %d (%d tets) deformable %d cracks %d unconv %d work %.0f left %.0f\n", substep, world.time, ms.elasticity, ms.contact, ms.explicit_dynamics, ms.separation, ex, et, el, world.report.cracks, world.report.unconverged_contacts, world.scratch.microstep_work*1e-3, work_left(world)*1e-3); }
     timed(ms.separation, [&] { begin_explicit_if_overloaded(world); });
     if (world.model->scene.simulation.fracture) open_cracks(world, substep);
   }
