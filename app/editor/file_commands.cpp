@@ -54,6 +54,10 @@ void save(Editor& e, const ui::Command& command) {
   e.recovery().remove_copy();
   e.scenes().remember(document.absolute_path());
   log_message(e.state(), ui::LogLevel::info, "Saved " + file.string());
+  if (document.history().has_later_edits())
+    log_message(e.state(), ui::LogLevel::warning,
+                "Saved the materials of " + e.run().moment_text() +
+                    ". The run has edits of later steps: go there and save to keep them.");
   if (next) e.execute(*next);
 }
 

@@ -21,7 +21,7 @@ void show_error(ui::EditorState& state, const InputError& error) {
   state.running = false;
   discard_queued_commands(state);
   state.error = ui::ErrorMessage{error.where(), error.problem(), error.remedy()};
-  log_message(state, ui::LogLevel::error, error.what());
+  log_message(state, ui::LogLevel::error, error.what(), ui::LogSpan::action);
 }
 
 void discard_queued_commands(ui::EditorState& state) {

@@ -272,6 +272,7 @@ bool RunController::follow_material(int scene_body) {
   close_microsteps();
   try {
     timeline_.set_material(scene_body, document_.scene().bodies[scene_body].material);
+    document_.history().set_later_edits(false);
     viewport_.restart_range();
     leave_state();
     return true;
@@ -285,7 +286,22 @@ bool RunController::follow_material(int scene_body) {
   }
 }
 
+/// True if the branch ends with materials that are neither in force nor in the saved scene.
+bool RunController::has_later_edits() const {
+  const std::span<const Material> in_force = frame().materials;
+  const std::vector<BodyDescription>& saved = document_.history().saved().bodies;
+  if (in_force.size() != saved.size()) return false;
+  std::vector<Material> last(in_force.begin(), in_force.end());
+  for (const WorldInput& input : timeline_.inputs())
+    if (const auto* change = std::get_if<MaterialChange>(&input.action); change && input.step > timeline_.step())
+      last[static_cast<std::size_t>(change->scene_body)] = change->material;
+  for (std::size_t i = 0; i < last.size(); ++i)
+    if (last[i] != in_force[i] && last[i] != saved[i].material) return true;
+  return false;
+}
+
 void RunController::adopt_materials() {
+  document_.history().set_later_edits(has_later_edits());
   const std::span<const Material> in_force = frame().materials;
   const std::vector<BodyDescription>& bodies = document_.scene().bodies;
   if (document_.history().editing() || in_force.size() != bodies.size() ||

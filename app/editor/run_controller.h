@@ -70,6 +70,8 @@ class RunController {
   void push(const Push& push);
   /// Returns the target of the grab, which must exist [m].
   Vec3 target() const { return dragged_to_ ? *dragged_to_ : frame().grab->target; }
+  /// Describes the shown step: "step 31", with its branch if there are several.
+  std::string moment_text() const;
   /// Applies the scene's materials. A material that the world does not accept is undone, with an error.
   void follow_materials();
 
@@ -128,6 +130,7 @@ class RunController {
   bool follow_material(int scene_body);
   /// Makes the materials in force those of the scene, without an entry in its history.
   void adopt_materials();
+  bool has_later_edits() const;
 
   void make_due_steps(double elapsed);
   /// `is_last`: last step before the next picture, which is made with it.
@@ -155,9 +158,6 @@ class RunController {
   void follow_shown_world();
   /// Updates everything after a jump in time.
   void arrive();
-  /// Describes the shown step: "step 31", with its branch if there are several.
-  std::string moment_text() const;
-
   ui::EditorState& state_;
   SceneDocument& document_;
   Viewport& viewport_;

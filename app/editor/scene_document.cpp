@@ -43,12 +43,15 @@ std::string SceneDocument::saving_problem(const fs::path& file) const {
 }
 
 void SceneDocument::save(const fs::path& file, const ViewSettings& view) {
-  history_.change("Set view", [&](Scene& scene) {
+  const auto complete = [&](Scene& scene) {
     scene.view = view;
     if (scene.name == Scene().name) scene.name = file.stem().string();
-  });
+  };
+  Scene saved = scene();
+  complete(saved);
+  write_scene(saved, file);
+  history_.change("Set view", complete);
   history_.finish();
-  write_scene(scene(), file);
   history_.mark_saved();
   path_ = file;
   file_time_ = time_of_file(path_);

@@ -122,7 +122,10 @@ class Timeline {
   void do_input(WorldInput input);
   void begin_branch();
   void enter_line();
+  template <class IsWanted>
+  void redo_inputs(IsWanted is_wanted);
   void redo_inputs();
+  void redo_shown_inputs();
   StepNeeds needs_of_step() const;
   void finish_step(StepRecord record, std::size_t cracks_before);
   void mark_step(std::size_t cracks_before);

@@ -63,6 +63,16 @@ TEST_F(EditorFiles, ASceneWithoutAFileAsksWhereItIsToBeSaved) {
   EXPECT_EQ(ui::shown_dialog(editor_.state()), ui::Dialog::none);
 }
 
+TEST_F(EditorFiles, AFileThatCannotBeWrittenNamesNoScene) {
+  editor_.execute({.name = "file.new"});
+  wait_for_work();
+  const std::string name = editor_.document().scene().name;
+  editor_.execute({.name = "file.save", .path = test_folder() / "missing" / "other.json"});
+  EXPECT_TRUE(editor_.state().error);
+  EXPECT_EQ(editor_.document().scene().name, name);
+  EXPECT_FALSE(editor_.document().history().modified());
+}
+
 TEST_F(EditorFiles, CommandsInAFolderThatWasRemovedReportIt) {
   const fs::path before = fs::current_path(), gone = test_folder() / "gone";
   fs::create_directories(gone);

@@ -92,6 +92,33 @@ TEST_F(TimeTest, TheMaterialGoesBackToo) {
   EXPECT_EQ(editor_.run().timeline().branches().size(), 1u);
 }
 
+/// A scene with edits of later steps is not saved yet, wherever the run stands.
+TEST_F(TimeTest, EditsStayWhereTheyWereMadeAndAreNotForgotten) {
+  const double strength = editor_.run().frame().materials[0].tensile_strength;
+  choose_material("ice");
+  const Material ice = editor_.run().frame().materials[0];
+  ASSERT_NE(ice.tensile_strength, strength);
+  run(2);
+  click("command/time.start");
+  EXPECT_EQ(editor_.document().scene().bodies[0].material, ice) << "that of its own step";
+  const ui::EditHistory& history = editor_.document().history();
+  EXPECT_TRUE(history.modified());
+  editor_.document().history().mark_saved();
+  EXPECT_FALSE(history.modified());
+
+  click("command/time.end");
+  choose_material("concrete");
+  run(2);
+  click("command/time.start");
+  EXPECT_EQ(editor_.document().scene().bodies[0].material, ice);
+  EXPECT_TRUE(history.has_later_edits());
+  EXPECT_TRUE(history.modified()) << "it would be lost";
+  click("command/time.end");
+  editor_.document().history().mark_saved();
+  click("command/time.start");
+  EXPECT_FALSE(history.has_later_edits()) << "the file has it";
+}
+
 TEST_F(TimeTest, WhatWasEditedBeforeTheStepStaysWhenItIsStoppedBefore) {
   run(3);
   editor_.state().breakpoints.crack = Breakpoints::Where::anywhere;

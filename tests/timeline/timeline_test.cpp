@@ -140,6 +140,27 @@ TEST(Timeline, WhatWasDoneLastIsThereWhenItIsCameBackTo) {
   EXPECT_EQ(timeline.branches().size(), 1u);
 }
 
+TEST(Timeline, MaterialsAreThoseSetAtTheStepThatIsShown) {
+  Timeline timeline{World(scene())};
+  const Material before = timeline.world().frame().materials[0];
+  timeline.advance();
+  timeline.set_material(0, weaker(timeline.world()));
+  timeline.fire(shot(1));
+  const Material material = timeline.world().frame().materials[0];
+  timeline.advance();
+  timeline.go_to(0);
+  EXPECT_EQ(timeline.world().frame().materials[0], before);
+  timeline.advance();
+  EXPECT_EQ(timeline.world().frame().materials[0], material) << "on the way";
+  EXPECT_TRUE(timeline.world().frame().projectiles.empty());
+  timeline.go_to(1);
+  EXPECT_EQ(timeline.world().frame().materials[0], material);
+  EXPECT_TRUE(timeline.world().frame().projectiles.empty());
+  timeline.advance();
+  EXPECT_EQ(timeline.world().frame().projectiles.size(), 1u);
+  EXPECT_EQ(timeline.branches().size(), 1u);
+}
+
 TEST(Timeline, AStepIsTakenBackWithWhatWasDoneBeforeIt) {
   Timeline timeline{World(scene())};
   for (int i = 0; i < 13; ++i) timeline.advance();

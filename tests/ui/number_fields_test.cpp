@@ -229,6 +229,41 @@ TEST(NumberFields, TheUnitStaysWhileOneDrags) {
   EXPECT_EQ(ui.history.entries().size(), 1u);
 }
 
+TEST(NumberFields, TheUnitOfARowStaysFromOneNumberToTheNext) {
+  for (const bool by_tab : {true, false}) {
+    Scene scene = two_walls();
+    scene.bodies[0].position = Vec3(0.9, 0.1, 0);
+    UiDriver ui(scene);
+    ImGui::GetIO().DisplaySize = {1500, 6000};
+    ui.state.open_sections = true;
+    for (int i = 0; i < 3; ++i) ui.frame();
+    ui.click("body/position/0");
+    for (const char* text : {"1000", "710", "500"}) {
+      type(ui.queue, text);
+      if (by_tab) ui.press_key(key::kTab);
+      if (!by_tab && text != std::string("500")) ui.click(text[0] == '1' ? "body/position/1" : "body/position/2");
+      for (int i = 0; i < 3; ++i) ui.frame();
+    }
+    ui.press_key(key::kEnter);
+    for (int i = 0; i < 8; ++i) ui.frame();
+    EXPECT_EQ(ui.history.scene().bodies[0].position, Vec3(1, 0.71, 0.5)) << by_tab;
+    EXPECT_NE(find_tag(ui.tags, "label/Position [m]"), nullptr);
+  }
+}
+
+/// Both where the field that takes over is drawn before the one that was typed into, and behind it.
+TEST(NumberFields, AClickOnAnotherFieldTakesWhatWasTyped) {
+  UiDriver ui(two_walls());
+  ui.click("material/density");
+  type(ui.queue, "2000");
+  ui.click("material/young_modulus");
+  type(ui.queue, "20 GPa");
+  ui.click("material/poisson_ratio");
+  for (int i = 0; i < 3; ++i) ui.frame();
+  EXPECT_EQ(edited_material(ui).density, 2000);
+  EXPECT_EQ(edited_material(ui).young_modulus, 20e9);
+}
+
 TEST(NumberFields, EscapeTakesADragBack) {
   UiDriver ui(two_walls());
   const ImVec2 place = ui.find("material/density");

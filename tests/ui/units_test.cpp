@@ -44,7 +44,7 @@ TEST(Units, ABareNumberIsInTheUnitShown) {
 TEST(Units, ArithmeticMixesUnits) {
   const SiPrefix milli = si_prefix(0.01, "m");
   EXPECT_DOUBLE_EQ(parse_quantity("2*30+1 mm", "m", milli).value(), 0.061);
-  EXPECT_DOUBLE_EQ(parse_quantity("2*30+1 mm", "m").value(), 60.001);
+  EXPECT_DOUBLE_EQ(parse_quantity("2*30 + 1 m + 1 mm", "m", milli).value(), 1.061);
   EXPECT_DOUBLE_EQ(parse_quantity("2*30+1", "m", milli).value(), 0.061);
   EXPECT_DOUBLE_EQ(parse_quantity("(4-1) cm / 2", "m").value(), 0.015);
   EXPECT_DOUBLE_EQ(parse_quantity("1 m / 3", "m", milli).value(), 1.0 / 3);
@@ -54,8 +54,26 @@ TEST(Units, ArithmeticMixesUnits) {
   EXPECT_DOUBLE_EQ(parse_quantity("36 km/h", "m/s").value(), 10);
   EXPECT_DOUBLE_EQ(parse_quantity("3 m/s / 2", "m/s").value(), 1.5);
   EXPECT_DOUBLE_EQ(parse_quantity("2.5 g/cm3", "kg/m³").value(), 2500);
-  for (const char* text : {"1 m * 2 m", "1 / 2 m", "1/0", "(1", "1)", "2*", "1 2", "mm", "1 m m"})
+  for (const char* text : {"1 m * 2 m", "1 / 2 m + 1 mm", "1/0", "(1", "1)", "2*", "1 2", "mm", "1 m m"})
     EXPECT_FALSE(parse_quantity(text, "m", milli)) << text;
+}
+
+TEST(Units, AUnitAtTheEndIsThatOfAllNumbers) {
+  const SiPrefix milli = si_prefix(0.01, "m");
+  EXPECT_DOUBLE_EQ(parse_quantity("2*30+1 mm", "m").value(), 0.061);
+  EXPECT_DOUBLE_EQ(parse_quantity("0.7+0.01 m ", "m", milli).value(), 0.71);
+  EXPECT_DOUBLE_EQ(parse_quantity("1/2 in", "m", milli).value(), 0.0127);
+  EXPECT_DOUBLE_EQ(parse_quantity("(1+2)*2 cm", "m", milli).value(), 0.06);
+}
+
+TEST(Units, EveryUnitCanBeTyped) {
+  for (const char* text :
+       {"1.2 MPa sqrt(m)", "1.2 MPa*sqrt(m)", "1.2 MPa m^0.5", "1.2 MPa.m^0.5", "1.2MPa m^(1/2)", "1.2 M"})
+    EXPECT_DOUBLE_EQ(parse_quantity(text, "Pa·√m").value_or(0), 1.2e6) << text;
+  EXPECT_EQ(typed_unit("Pa·√m", si_prefix(1e6, "Pa")), "MPa sqrt(m)");
+  EXPECT_DOUBLE_EQ(parse_quantity("30 N/mm2", "Pa").value(), 30e6);
+  EXPECT_DOUBLE_EQ(parse_quantity("22 %", "").value(), 0.22);
+  EXPECT_DOUBLE_EQ(parse_quantity("1 g/cm^3", "kg/m³").value(), 1000);
 }
 
 TEST(Units, TextOfAnotherKindIsNotRead) {

@@ -49,15 +49,20 @@ class EditHistory {
   /// Counter that increases with each change of the scene.
   std::int64_t revision() const { return revision_; }
 
-  bool modified() const { return !(scene_ == saved_); }
+  bool modified() const { return has_later_edits_ || !(scene_ == saved_); }
+  const Scene& saved() const { return saved_; }
   void mark_saved() { saved_ = Scene(scene_); }
+  /// Sets whether the run has unsaved edits of later steps, which the scene at this step lacks.
+  void set_later_edits(bool has_any) { has_later_edits_ = has_any; }
+  bool has_later_edits() const { return has_later_edits_; }
 
  private:
   Scene scene_, saved_;
   std::vector<EditEntry> entries_;
   std::size_t applied_ = 0;
   std::int64_t revision_ = 0;
-  bool open_ = false;  ///< the last applied entry still grows
+  bool open_ = false;             ///< the last applied entry still grows
+  bool has_later_edits_ = false;  ///< see set_later_edits()
 };
 
 }  // namespace griffith::ui

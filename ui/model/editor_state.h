@@ -116,7 +116,7 @@ enum class LogLevel { info, warning, error };
 
 /// Validity of a message.
 enum class LogSpan {
-  lasting,  ///< permanent: reports something that was done
+  lasting,  ///< until the next message: reports something that was done
   state,    ///< as long as the simulation stays in the shown state
   action,   ///< until the state changes or the user does something else
   advice,   ///< until the user does something, in whatever state: says what to do next
@@ -250,6 +250,8 @@ struct EditorState {
   std::size_t log_passed = 0;            ///< lines that are older than the shown state of the simulation
   std::array<char, 512> path_text = {};  ///< text of the open dialog
   NumberEdit number;                     ///< the number field being dragged or typed into
+  std::string number_to_open;            ///< tag of the number field to be typed into from the next frame on
+  KeptUnit kept_unit;                    ///< unit of the row typed into last
 };
 
 /// True if work is in progress or waits for an answer, or requested steps are being made.

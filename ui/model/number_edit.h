@@ -23,4 +23,11 @@ struct NumberEdit {
   bool is_of(const std::string& field) const { return kind != Kind::none && tag == field; }
 };
 
+/// Prefix of the number that was typed last, for the next one of its row.
+struct KeptUnit {
+  std::string tag = {};  ///< tag of the field
+  SiPrefix prefix = {};
+  int frame = 0;
+};
+
 }  // namespace griffith::ui

@@ -31,6 +31,11 @@ class QuantityParser {
     return value;
   }
 
+  /// Returns the only unit of the expression if it stands at its end.
+  std::optional<UnitSpelling> only_unit() const {
+    return units_ == 1 && ends_with_unit_ ? std::optional(last_unit_) : std::nullopt;
+  }
+
  private:
   double in_unit(const Term& term) const { return term.has_unit ? term.value : times(term.value, shown_); }
 
@@ -90,6 +95,10 @@ class QuantityParser {
     if (unit.length > 0) {
       if (term.has_unit) return fail();
       text_.remove_prefix(unit.length);
+      skip_blanks();
+      last_unit_ = unit;
+      ends_with_unit_ = text_.empty();
+      ++units_;
       term = {times(term.value, unit.factor), true};
     }
     if (negative) term.value = -term.value;
@@ -115,12 +124,21 @@ class QuantityParser {
   std::string_view text_, unit_;
   double shown_;
   bool failed_ = false;
+  int units_ = 0;
+  bool ends_with_unit_ = false;
+  UnitSpelling last_unit_;
 };
 
 }  // namespace
 
 std::optional<double> parse_quantity(std::string_view text, std::string_view unit, const SiPrefix& shown) {
-  return QuantityParser(text, unit, shown.factor).result();
+  QuantityParser parser(text, unit, shown.factor);
+  const std::optional<double> value = parser.result();
+  const std::optional<UnitSpelling> only_unit = parser.only_unit();
+  if (!only_unit) return value;
+  while (text.ends_with(' ') || text.ends_with('\t')) text.remove_suffix(1);
+  text.remove_suffix(only_unit->length);
+  return QuantityParser(text, unit, only_unit->factor).result();
 }
 
 }  // namespace griffith::ui

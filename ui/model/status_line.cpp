@@ -5,11 +5,11 @@
 namespace griffith::ui {
 namespace {
 
-/// Returns the first line that is still valid for that span.
+/// Returns the first line that is still valid for that span. What was done is old once anything else was reported.
 std::size_t first_valid(const EditorState& state, LogSpan span) {
   switch (span) {
     case LogSpan::lasting:
-      return 0;
+      return state.log.size() - 1;
     case LogSpan::state:
       return state.log_passed;
     case LogSpan::action:

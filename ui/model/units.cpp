@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <vector>
 
 namespace griffith::ui {
 namespace {
@@ -12,8 +13,12 @@ namespace {
 constexpr std::array<SiPrefix, 8> kPrefixes = {
     {{1e-9, "n"}, {1e-6, "µ"}, {1e-3, "m"}, {1, ""}, {1e3, "k"}, {1e6, "M"}, {1e9, "G"}, {1e12, "T"}}};
 
-/// Returns the spelling for keyboards without a dot for products.
-std::string_view spelled_plainly(std::string_view unit) { return unit == "Pa·√m" ? "Pa√m" : unit; }
+/// Returns the spellings of a unit without characters that keyboards lack.
+std::vector<std::string_view> plain_spellings(std::string_view unit) {
+  if (unit != "Pa·√m") return {unit};
+  return {"Pa sqrt(m)", "Pa*sqrt(m)", "Pa.sqrt(m)", "Pa sqrt m", "Pa√m",      "Pa √m",
+          "Pa m^0.5",   "Pa*m^0.5",   "Pa.m^0.5",   "Pa m^1/2",  "Pa m^(1/2)"};
+}
 
 bool takes_prefix(std::string_view unit) {
   return unit == "Pa" || unit == "N" || unit == "J" || unit == "m" || unit == "Pa·√m" || unit == "Hz";
@@ -26,7 +31,11 @@ struct OtherUnit {
 };
 
 constexpr std::array kOtherUnits =
-    std::to_array<OtherUnit>({{"m", "cm", 1e-2},        {"m", "in", 0.0254},
+    std::to_array<OtherUnit>({{"", "%", 1e-2},          {"m³", "m^3", 1},
+                              {"kg/m³", "kg/m^3", 1},   {"kg/m³", "g/cm^3", 1e3},
+                              {"m/s²", "m/s^2", 1},     {"Pa", "N/mm²", 1e6},
+                              {"Pa", "N/mm2", 1e6},     {"Pa", "N/mm^2", 1e6},
+                              {"m", "cm", 1e-2},        {"m", "in", 0.0254},
                               {"m", "ft", 0.3048},      {"m³", "m3", 1},
                               {"s", "ms", 1e-3},        {"s", "µs", 1e-6},
                               {"s", "us", 1e-6},        {"s", "min", 60},
@@ -106,6 +115,10 @@ std::string clamped_note(double typed, const Numbers& numbers) {
          " and was set to it. Allowed: " + range_text_with_prefix(numbers) + ".";
 }
 
+std::string typed_unit(std::string_view unit, const SiPrefix& prefix) {
+  return std::string(prefix.symbol == "µ" ? "u" : prefix.symbol).append(plain_spellings(unit).front());
+}
+
 UnitSpelling unit_at(std::string_view text, std::string_view unit) {
   UnitSpelling longest;
   const auto offer = [&](const std::string& spelling, double factor) {
@@ -114,7 +127,9 @@ UnitSpelling unit_at(std::string_view text, std::string_view unit) {
   offer(std::string(unit), 1);
   for (const SiPrefix& prefix : kPrefixes) {
     if (!takes_prefix(unit)) break;
-    for (const std::string_view end : {std::string_view(), unit, spelled_plainly(unit)}) {
+    std::vector<std::string_view> ends = plain_spellings(unit);
+    ends.insert(ends.end(), {std::string_view(), unit});
+    for (const std::string_view end : ends) {
       offer(std::string(prefix.symbol).append(end), prefix.factor);
       if (prefix.factor == 1e-6) offer(std::string("u").append(end), prefix.factor);
     }

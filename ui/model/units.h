@@ -46,6 +46,9 @@ std::string clamped_note(double typed, const Numbers& numbers);
 /// Formats the components of a unit vector: "0.71, 0.00, -0.71".
 std::string direction_text(const Vec3& direction);
 
+/// Returns a prefixed unit as any keyboard types it: "MPa sqrt(m)", "um".
+std::string typed_unit(std::string_view unit, const SiPrefix& prefix);
+
 /// A unit at the start of a text.
 struct UnitSpelling {
   std::size_t length = 0;  ///< bytes of its spelling; 0: none

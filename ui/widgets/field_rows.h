@@ -23,7 +23,7 @@ class FieldRows {
  public:
   /// `tag`: prefix of tags. Fields named in `hidden` get no row.
   FieldRows(Panel& panel, std::string tag, std::vector<std::string_view> hidden = {})
-      : panel_(panel), tag_(std::move(tag)), units_{tag_, panel.state.number}, hidden_(std::move(hidden)) {}
+      : panel_(panel), tag_(std::move(tag)), units_{tag_, panel.state}, hidden_(std::move(hidden)) {}
 
   /// Draws the rows of all fields of `value` and edits them.
   template <class T>
@@ -70,14 +70,14 @@ class FieldRows {
   /// Common unit of all vectors with the same numbers, such as position and target of a camera.
   struct SharedUnit {
     Numbers numbers;
-    double largest = 0;   ///< largest of their components
-    bool edited = false;  ///< true if one of them is being edited
+    double largest = 0;               ///< largest of their components
+    std::optional<SiPrefix> ongoing;  ///< prefix of the edit of one of them
   };
 
   /// Archive that finds these units.
   struct SharedUnits {
     std::string tag;
-    const NumberEdit& edit;
+    const EditorState& state;
     std::vector<SharedUnit> found = {};
 
     template <int N, int Options>
@@ -85,7 +85,7 @@ class FieldRows {
                std::string_view) {
       SharedUnit& unit = of(numbers);
       unit.largest = std::max(unit.largest, vector.cwiseAbs().maxCoeff());
-      unit.edited |= is_within(edit.tag, tag + "/" + std::string(name));
+      if (!unit.ongoing) unit.ongoing = ongoing_prefix(state, tag + "/" + std::string(name) + "/");
     }
     template <class T, class Values>
     void field(std::string_view, T&, const Values&, std::string_view) {}
@@ -98,11 +98,11 @@ class FieldRows {
         if (unit.numbers.unit == numbers.unit && unit.numbers.minimum == numbers.minimum &&
             unit.numbers.maximum == numbers.maximum)
           return unit;
-      return found.emplace_back(SharedUnit{numbers});
+      return found.emplace_back(SharedUnit{numbers, 0, std::nullopt});
     }
     SiPrefix prefix(const Numbers& numbers) {
       const SharedUnit& unit = of(numbers);
-      return unit.edited ? edit.prefix : si_prefix(unit.largest, unit_symbol(numbers));
+      return unit.ongoing.value_or(si_prefix(unit.largest, unit_symbol(numbers)));
     }
   };
 

@@ -69,8 +69,10 @@ std::optional<double> read_typed(const NumberEdit& edit, const NumberField& fiel
   const std::string text = edit.text.data(), unit = shown_unit(field, edit.prefix);
   const std::optional<double> parsed = parse_quantity(text, unit_of(field), edit.prefix);
   if (parsed && (!field.whole || *parsed == std::round(*parsed))) return parsed;
+  const std::string typed = typed_unit(unit_of(field), edit.prefix);
   problem = "\"" + text + "\" is not a " + (field.whole ? "integer" : "number") + (unit.empty() ? "" : " of " + unit) +
-            ". Allowed: " + range_text_with_prefix(field.numbers) + ".";
+            (typed == unit ? "" : ", to be typed as " + typed) + ". Allowed: " + range_text_with_prefix(field.numbers) +
+            ".";
   return std::nullopt;
 }
 
@@ -87,6 +89,7 @@ std::string meaning(const NumberEdit& edit, const NumberField& field) {
 /// Applies the typed text; a note reports a value that was rejected or clamped.
 Edit take_typed(Panel& panel, const NumberField& field, double& value) {
   const NumberEdit edit = std::exchange(panel.state.number, {});
+  panel.state.kept_unit = {field.tag, edit.prefix, ImGui::GetFrameCount()};
   if (edit.text.data() == edit.opened_text) return {};
   panel.state.field_note = {};
   std::string problem;
@@ -184,9 +187,13 @@ Edit held_number(Panel& panel, const NumberField& field, const Place& place, dou
   bool hovered = false, held = false;
   const bool clicked = ImGui::ButtonBehavior(place.box, place.id, &hovered, &held);
   if (hovered || held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-  if (ImGui::IsItemActivated()) begin_edit(edit, Kind::held, field, value);
+  const bool is_free = edit.kind != Kind::typed;  // else the field that is typed into first takes its text
+  if (held && is_free && !edit.is_of(field.tag)) begin_edit(edit, Kind::held, field, value);
   opens = hovered && ImGui::IsMouseClicked(1);
-  if (!edit.is_of(field.tag)) return {};
+  if (!edit.is_of(field.tag)) {
+    opens |= clicked;
+    return {};
+  }
   if (held && ImGui::IsKeyPressed(key::kEscape, false)) return revert_drag(edit, value);
   if (held) return drag_on(panel, field, value);
   const bool dragged = std::exchange(edit, {}).kind == Kind::dragged;
@@ -222,12 +229,16 @@ Edit number_field(Panel& panel, const NumberField& field, double& value) {
     if (ImGui::GetActiveID() == place.id) return typed_entry(panel, field, place, value);
     result = take_typed(panel, field, value);  // another item took the keyboard focus
   }
-  bool opens = ImGui::GetCurrentContext()->NavActivateInputId == place.id;
+  bool opens = ImGui::GetCurrentContext()->NavActivateInputId == place.id || panel.state.number_to_open == field.tag;
   if (!opens && seen) {
     const Edit by_mouse = held_number(panel, field, place, value, opens);
     result = {result.changed || by_mouse.changed, result.finished || by_mouse.finished};
   }
-  if (opens) {
+  if (opens && edit.kind == Kind::typed) {  // opens in the next frame, after the other field has taken its text
+    ImGui::ClearActiveID();
+    panel.state.number_to_open = field.tag;
+  } else if (opens) {
+    panel.state.number_to_open.clear();
     begin_typing(edit, field, value, place.id);
     const Edit typed = typed_entry(panel, field, place, value);
     return {result.changed || typed.changed, result.finished || typed.finished};
@@ -257,10 +268,17 @@ Edit number_field_row(Panel& panel, NumberField field, int& value) {
   return edit;
 }
 
-SiPrefix shared_prefix(const EditorState& state, std::string_view tag, double largest, std::string_view unit) {
+std::optional<SiPrefix> ongoing_prefix(const EditorState& state, std::string_view tag) {
+  constexpr int kFramesToNext = 4;  // within which Tab or a click opens another number of the row
   const NumberEdit& edit = state.number;
-  const bool edited = edit.kind != NumberEdit::Kind::none && edit.tag.starts_with(tag);
-  return edited ? edit.prefix : si_prefix(largest, unit);
+  if (edit.kind != NumberEdit::Kind::none && edit.tag.starts_with(tag)) return edit.prefix;
+  const KeptUnit& kept = state.kept_unit;
+  const bool goes_on = kept.tag.starts_with(tag) && ImGui::GetFrameCount() - kept.frame <= kFramesToNext;
+  return goes_on ? std::optional(kept.prefix) : std::nullopt;
+}
+
+SiPrefix shared_prefix(const EditorState& state, std::string_view tag, double largest, std::string_view unit) {
+  return ongoing_prefix(state, tag).value_or(si_prefix(largest, unit));
 }
 
 }  // namespace griffith::ui

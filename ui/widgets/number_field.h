@@ -35,8 +35,10 @@ Edit number_field_row(Panel& panel, const NumberField& field, double& value);
 /// Draws a count with its label, as a row.
 Edit number_field_row(Panel& panel, NumberField field, int& value);
 
-/// Returns the common prefix of numbers whose largest magnitude is `largest`; during an edit of one of them, the prefix
-/// of the edit. `tag`: tag or prefix of tags of all of them.
+/// Returns the prefix of the edit of a number whose tag begins with `tag`, also on the way from it to the next number.
+std::optional<SiPrefix> ongoing_prefix(const EditorState& state, std::string_view tag);
+/// Returns the common prefix of numbers whose largest magnitude is `largest`, or that of an ongoing edit of one of
+/// them. `tag`: beginning of the tags of all of them.
 SiPrefix shared_prefix(const EditorState& state, std::string_view tag, double largest, std::string_view unit);
 
 }  // namespace griffith::ui
