@@ -6,6 +6,7 @@
 
 #include "app/cli/commands.h"
 #include "app/output/bug_report.h"
+#include "app/output/file_formats.h"
 #include "app/output/open_world.h"
 #include "app/output/output.h"
 #include "app/output/replay_report.h"
@@ -94,6 +95,7 @@ void bundle(const BundleOptions& options) {
   const bool recorded = is_recording(options.input);
   if (recorded && options.frames)
     throw InputError("--frames", "cannot be used with a recording", "leave it out: a recording has its own steps");
+  require_extension(options.output, ".tar.zst", "bug report");
   check_replaceable(options.output);
   ReportParts parts;
   parts.log = "griffith bundle " + options.input.filename().string() + "\n";

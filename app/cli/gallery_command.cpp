@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/output/file_formats.h"
 #include "app/output/output.h"
 #include "app/render/gallery.h"
 #include "app/render/read_render_jobs.h"
@@ -18,8 +19,7 @@ struct GalleryOptions {
 };
 
 void make_gallery(const GalleryOptions& options) {
-  if (options.page.extension() != ".md")
-    throw InputError(options.page.string(), "is not the name of a Markdown file", "use the extension .md");
+  require_extension(options.page, ".md", "Markdown file");
   const std::vector<RenderJob> jobs = read_render_jobs(options.jobs);
   const std::filesystem::path page = std::filesystem::absolute(options.page);
   const std::filesystem::path folder = page.parent_path() / page.stem();

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "app/cli/commands.h"
+#include "app/output/file_formats.h"
 #include "app/output/output.h"
 #include "app/render/frame_list.h"
 #include "app/render/picture_output.h"
@@ -63,11 +64,6 @@ std::string read_size(const std::string& text, RenderJob& job) {
   if (good && is_possible_size(job.width, job.height)) return {};
   return "--size: \"" + text +
          "\" is not a size: write WIDTHxHEIGHT, such as 1280x720, each from 16 to 65536 and 400 million pixels at most";
-}
-
-void require_png(const std::filesystem::path& path) {
-  if (path.extension() != ".png")
-    throw InputError(path.string(), "is not the name of a PNG file", "use the extension .png");
 }
 
 /// True if even a single picture gets a numbered name.
@@ -148,14 +144,19 @@ void check_arguments(const RenderOptions& options) {
   if (options.output.empty() && options.pictures.contact_sheet.empty() && options.pictures.video.empty())
     throw InputError("render", "has no output", "add -o, --contact-sheet or --video");
   if (!options.pictures.contact_sheet.empty()) {
-    require_png(options.pictures.contact_sheet);
+    require_extension(options.pictures.contact_sheet, ".png", "PNG file");
     check_replaceable(options.pictures.contact_sheet);
   }
   if (!options.pictures.video.empty()) check_video_path(options.pictures.video);
   if (options.job_file.empty()) check_names(job_of(options, options.scenes.front()));
   if (options.output.empty()) return;
-  if (!options.job_file.empty() || is_batch(options)) return check_folder(options.output);
-  require_png(options.output);
+  if (!options.job_file.empty() || is_batch(options)) {
+    if (options.output.extension() == ".png" && !std::filesystem::is_directory(options.output))
+      throw InputError(options.output.string(), "is the name of a picture, but there are several scenes",
+                       "name a folder for their pictures");
+    return check_folder(options.output);
+  }
+  require_extension(options.output, ".png", "PNG file");
   RenderJob job = job_of(options, options.scenes.front());
   check_replaceable(
       options.output.parent_path() /

@@ -8,6 +8,7 @@
 #include "app/output/energy_table.h"
 #include "app/output/export_frame.h"
 #include "app/output/export_pieces.h"
+#include "app/output/file_formats.h"
 #include "app/output/open_world.h"
 #include "app/output/output.h"
 #include "app/output/probe_table.h"
@@ -42,6 +43,7 @@ struct SimulateOptions {
 /// Throws InputError for outputs that cannot be written, before the run.
 void check_outputs(const SimulateOptions& options) {
   if (!options.export_file.empty()) check_export_path(options.export_file);
+  if (!options.record.empty()) require_extension(options.record, ".tar.zst", "recording");
   for (const std::filesystem::path& path : {options.stats, options.probes, options.energy, options.events,
                                             options.export_file, options.outcomes, options.record})
     if (!path.empty()) check_replaceable(path);

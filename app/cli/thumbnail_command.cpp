@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/output/file_formats.h"
 #include "app/output/output.h"
 #include "app/render/thumbnail.h"
 #include "app/shared/scene_files.h"
@@ -20,6 +21,7 @@ struct ThumbnailOptions {
 };
 
 void write_thumbnail(const std::filesystem::path& scene, const std::filesystem::path& output) {
+  require_extension(output, ".png", "PNG file");
   check_replaceable(output);
   const Scene read = read_scene(scene);
   const render::EglContext context;
@@ -73,7 +75,8 @@ Command add_thumbnail(CLI::App& program) {
             } else if (options->scenes.size() == 1 && !options->output.empty()) {
               write_thumbnail(options->scenes.front(), options->output);
             } else {
-              throw InputError("the command thumbnail", "has no output",
+              throw InputError("the command thumbnail",
+                               options->output.empty() ? "has no output" : "writes one file, for one scene",
                                "give one scene and -o FILE, or --ship with any number of scenes");
             }
             return kDone;

@@ -144,7 +144,7 @@ void require_side(const Scene& scene, std::size_t body, int axis, double place) 
 
 }  // namespace
 
-void drop_bodies(ui::EditHistory& history, ui::EditorState& state) {
+bool drop_bodies(ui::EditHistory& history, ui::EditorState& state) {
   const Scene& scene = history.scene();
   const std::vector<std::size_t> selected = ui::selected_body_indices(state, scene);
   std::vector<std::size_t> dropped = selected, settled;
@@ -159,8 +159,10 @@ void drop_bodies(ui::EditHistory& history, ui::EditorState& state) {
     ui::move_surface(surfaces[body], Vec3(0, -height, 0));
     settled.push_back(body);
   }
+  if (bodies == scene.bodies) return false;
   set_bodies(history, state, "Drop", std::move(bodies));
   select_bodies(state, history.scene(), selected);
+  return true;
 }
 
 void array_bodies(ui::EditHistory& history, ui::EditorState& state, int count, const Vec3& offset) {

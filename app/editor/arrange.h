@@ -11,8 +11,9 @@ namespace griffith::app {
 // Arrangement of the selected bodies. Each is one entry of the history and leaves the bodies it placed selected.
 
 /// Moves the selected bodies straight down, the lowest first, until each rests on the ground or on a body below it; up
-/// if it has sunk into one, by less than half its height. Throws InputError if nothing is below one of them.
-void drop_bodies(ui::EditHistory& history, ui::EditorState& state);
+/// if it has sunk into one, by less than half its height. False if they rest already. Throws InputError if nothing is
+/// below one of them.
+bool drop_bodies(ui::EditHistory& history, ui::EditorState& state);
 
 /// Adds copies of the selected bodies so that there are `count` of each, every one `offset` [m] from the last.
 void array_bodies(ui::EditHistory& history, ui::EditorState& state, int count, const Vec3& offset);

@@ -1,6 +1,7 @@
 #include "app/editor/arrange.h"
 #include "app/editor/editor.h"
 #include "app/editor/editor_commands.h"
+#include "app/editor/messages.h"
 #include "ui/model/entry_choice.h"
 
 namespace griffith::app {
@@ -33,7 +34,11 @@ const EditorCommand kArrangeCommands[] = {
       .group = 2,
       .shortcut = {ui::key::kEnd},
       .disabled_reason = no_chosen_body},
-     [](Editor& e, const ui::Command&) { drop_bodies(e.document().history(), e.state()); }},
+     [](Editor& e, const ui::Command&) {
+       if (drop_bodies(e.document().history(), e.state())) return;
+       log_message(e.state(), ui::LogLevel::info, "Nothing to drop: what is selected rests already.",
+                   ui::LogSpan::action);
+     }},
     {{.name = "edit.array",
       .label = "Array…",
       .hint = "Repeat the selected bodies at equal distances",

@@ -44,6 +44,7 @@ void save(Editor& e, const ui::Command& command) {
   SceneDocument& document = e.document();
   const std::filesystem::path file = command.path.empty() ? document.path() : command.path;
   if (file.empty()) return ask_where_to_save(e, {});
+  if (std::filesystem::is_directory(file)) throw InputError(file.string(), "is a folder", "choose the name of a file");
   if (std::string problem = document.saving_problem(file); !command.replace && !problem.empty()) {
     e.state().replacement = ui::Replacement{command, std::move(problem)};
     return;

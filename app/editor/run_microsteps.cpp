@@ -27,6 +27,7 @@ void RunController::continue_recording() {
   if (recorded->recording.moments().empty())
     return log_message(state_, ui::LogLevel::info,
                        "The step has no microsteps: nothing was struck and nothing cracked.", ui::LogSpan::action);
+  state_.log_passed = state_.log.size();  // messages about the state between steps
   microsteps_.show(std::move(*recorded));
   follow_shown_world();
 }

@@ -13,14 +13,16 @@ namespace {
 /// Throws InputError unless the step was recorded.
 void require_recorded(const Timeline& timeline, int branch, std::int64_t step) {
   const auto refuse = [](const std::string& what, const std::string& kind, std::int64_t first, std::int64_t last) {
-    throw InputError(what, "was not recorded",
-                     "there is " + kind + " " + std::to_string(first) + " to " + std::to_string(last));
+    const std::string range = " " + std::to_string(first) + (last > first ? " to " + std::to_string(last) : "");
+    throw InputError(what, "was not recorded", "only " + kind + range + (last > first ? " are" : " is") + " recorded");
   };
   const auto branches = static_cast<std::int64_t>(timeline.branches().size());
-  if (branch < 0 || branch >= branches) refuse("branch " + std::to_string(branch), "branch", 0, branches - 1);
+  if (branch < 0 || branch >= branches)
+    refuse("branch " + std::to_string(branch), branches > 1 ? "branches" : "branch", 0, branches - 1);
   const std::int64_t first = timeline.first_step(), last = timeline.branches()[branch].last_step;
   if (step < first || step > last)
-    refuse("step " + std::to_string(step) + " of branch " + std::to_string(branch), "step", first, last);
+    refuse("step " + std::to_string(step) + " of branch " + std::to_string(branch), last > first ? "steps" : "step",
+           first, last);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include "app/editor/editor_commands.h"
 #include "app/editor/entry_edits.h"
 #include "app/editor/picking.h"
+#include "app/editor/script.h"
+#include "app/editor/starting_scene.h"
 #include "ui/model/entry_choice.h"
 
 namespace griffith::app {
@@ -203,8 +205,12 @@ const EditorCommand kViewCommands[] = {
       .label = "Tour",
       .hint = "Break a wall and see why it broke, in a few minutes",
       .menu = Menu::help,
+      .leaves = "The tour, which opens a scene of its own,",
       .recorded = false},
-     [](Editor& e, const ui::Command&) { e.scripting().play(tour()); }},
+     [](Editor& e, const ui::Command&) {
+       e.builder().open_without_file(starting_scene());
+       e.scripting().play(tour());
+     }},
     {{.name = "help.report",
       .label = "Save bug report…",
       .hint = "Save a recording with the log, versions and a picture of the window, for others to replay",

@@ -251,7 +251,7 @@ void begin_first_run(Editor& editor) {
   editor.state().explain_first_crack = true;
   editor.execute({.name = "simulation.run"});
   log_message(editor.state(), ui::LogLevel::info,
-              "The panel on the right explains the first crack. Right-click the wall to fire at it. See Help > Tour.",
+              "The panel on the right explains why it broke. Right-click the wall to fire at it. See Help > Tour.",
               ui::LogSpan::advice);
 }
 

@@ -52,8 +52,10 @@ void begin_scene(ui::EditorState& state, const Scene& scene) {
 }
 
 void log_opened(ui::EditorState& state, const Scene& scene) {
-  log_message(state, ui::LogLevel::info, "Opened \"" + scene.name + "\". Press Space to run, right-click to fire.",
-              ui::LogSpan::advice);
+  const std::string text = scene.bodies.empty()
+                               ? "The scene is empty. The menu Add has walls, tables, panes and shapes."
+                               : "Opened \"" + scene.name + "\". Press Space to run, right-click to fire.";
+  log_message(state, ui::LogLevel::info, text, ui::LogSpan::advice);
 }
 
 void WorldBuilder::open(const fs::path& path) {
@@ -67,11 +69,15 @@ void WorldBuilder::open(const fs::path& path) {
 }
 
 void WorldBuilder::open_empty() {
-  recovery_.remove_copy();
   Scene empty;
   empty.view.quantity = "material";
   empty.view.edges = false;
-  show_scene(empty, nullptr, "", {}, build_world(empty, ""));
+  open_without_file(empty);
+}
+
+void WorldBuilder::open_without_file(const Scene& scene) {
+  recovery_.remove_copy();
+  show_scene(scene, nullptr, "", {}, build_world(scene, ""));
 }
 
 void WorldBuilder::recover() {

@@ -22,6 +22,8 @@ class WorldBuilder {
   void open(const std::filesystem::path& path);
   /// Opens an empty scene.
   void open_empty();
+  /// Opens a scene that has no file yet.
+  void open_without_file(const Scene& scene);
   /// Opens the offered edits of a crashed run.
   void recover();
   /// Adds a body filled from the surface file given in its dialog. Throws InputError if none is given.

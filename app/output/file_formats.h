@@ -31,6 +31,13 @@ std::string extensions_text(const auto& formats) {
   return listed(items);
 }
 
+/// Throws InputError unless the path ends in an extension, such as ".tar.zst". `kind`: the kind of file, such as
+/// "recording".
+inline void require_extension(const std::filesystem::path& path, const std::string& extension, const char* kind) {
+  if (!path.string().ends_with(extension))
+    throw InputError(path.string(), std::string("is not the name of a ") + kind, "use the extension " + extension);
+}
+
 /// Returns the format with the path's extension. Throws InputError, which lists all, if there is none.
 const auto& format_of(const auto& formats, const std::filesystem::path& path, const char* extension = "extension") {
   for (const auto& format : formats)

@@ -48,7 +48,7 @@ Shard shard_from_text(const std::string& text) {
   char rest = 0;
   if (std::sscanf(text.c_str(), "%d/%d%c", &shard.index, &shard.count, &rest) != 2 || shard.index < 1 ||
       shard.index > shard.count)
-    throw InputError("--shard", "\"" + text + "\" is not a shard", "write INDEX/COUNT, from 1/3 to 3/3");
+    throw InputError("--shard", "\"" + text + "\" is not a shard", "write INDEX/COUNT, such as 1/3, 2/3 and 3/3");
   return shard;
 }
 

@@ -77,8 +77,8 @@ TEST(RecordingCommand, ABugReportOfASceneReplays) {
 }
 
 TEST(RecordingCommand, ABugReportOfARecordingKeepsItsHashesAndLog) {
-  const auto recording = altered(recorded_wall(), 4, 0), first = test_folder() / "first",
-             second = test_folder() / "second";
+  const auto recording = altered(recorded_wall(), 4, 0), first = test_folder() / "first.tar.zst",
+             second = test_folder() / "second.tar.zst";
   EXPECT_EQ(run_program("bundle " + quoted(recording) + " -o " + quoted(first)).code, 0);
   EXPECT_EQ(run_program("bundle " + quoted(first) + " -o " + quoted(second)).code, 0);
   const Recording report = read_recording(second);
@@ -107,9 +107,10 @@ TEST(RecordingCommand, WrongUsageAndFilesAreReported) {
   const Outcome of_scene = run_program("replay " + scene);
   EXPECT_EQ(of_scene.code, 2);
   EXPECT_THAT(of_scene.output, HasSubstr("is not a complete recording"));
-  const Outcome unwritable = run_program("simulate " + scene + " --frames 1000000 --record /nowhere/run");
+  const Outcome unwritable = run_program("simulate " + scene + " --frames 1000000 --record /nowhere/run.tar.zst");
   EXPECT_EQ(unwritable.code, 2) << "reported before the run";
-  EXPECT_EQ(run_program("bundle " + scene + " -o /nowhere/run").code, 2);
+  EXPECT_EQ(run_program("bundle " + scene + " -o /nowhere/run.tar.zst").code, 2);
+  EXPECT_THAT(run_program("bundle " + scene + " -o run.zip").output, HasSubstr("use the extension .tar.zst"));
   const Outcome frames =
       run_program("bundle " + quoted(recorded_wall(2)) + " --frames 3 -o " + quoted(test_folder() / "x"));
   EXPECT_EQ(frames.code, 2);
@@ -121,7 +122,7 @@ TEST(RecordingCommand, AReplayThatIsInterruptedLeavesNothing) {
   Recording recording = read_recording(recorded_wall(2, " --set 'gravity=[0,0,0]'"));
   recording.hashes.resize(500'000);
   const auto file = test_folder() / "long.tar.zst", temporary = test_folder() / "temporary";
-  const auto report = test_folder() / "report";
+  const auto report = test_folder() / "report.tar.zst";
   write_recording(recording, file);
   std::filesystem::create_directories(temporary);
   std::filesystem::remove(report);

@@ -46,7 +46,7 @@ TEST_F(EditorTest, AStepOrBranchThatIsNotThereIsRefused) {
   editor_.execute({.name = "time.step", .step = 9});
   ASSERT_TRUE(editor_.state().error);
   EXPECT_EQ(editor_.state().error->where, "step 9 of branch 0");
-  EXPECT_EQ(editor_.state().error->remedy, "there is step 0 to 3");
+  EXPECT_EQ(editor_.state().error->remedy, "only steps 0 to 3 are recorded");
   editor_.execute({.name = "time.branch", .step = 2, .branch = 7});
   EXPECT_EQ(editor_.state().error->where, "branch 7");
   EXPECT_EQ(editor_.run().frame().step, 3);

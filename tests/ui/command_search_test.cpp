@@ -115,5 +115,12 @@ TEST_F(PaletteTest, AClickIssuesAndEscapeCloses) {
   EXPECT_EQ(ui_.state.palette.text[0], '\0');
 }
 
+TEST(CommandSearch, NumbersThatACommandDoesNotTakeAreExplained) {
+  const auto problem = [](std::string_view text) { return problem_of_query(app::command_registry(), text); };
+  EXPECT_EQ(problem("array 4"), "Array… takes four numbers: how many, from 2 to 1000, and the offset x y z in meters.");
+  EXPECT_EQ(problem("qqq"), "No command matches.");
+  EXPECT_EQ(problem("save 3"), "Save takes no numbers.");
+}
+
 }  // namespace
 }  // namespace griffith::ui

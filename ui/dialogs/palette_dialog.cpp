@@ -75,7 +75,8 @@ bool palette_row(Panel& panel, const PaletteItem& item, bool chosen) {
 
 /// Shows the help of the chosen entry, or the reason why it cannot run now.
 void describe(const Panel& panel, const PaletteItem* chosen) {
-  const std::string reason = chosen ? chosen->disabled_reason : "No command matches.";
+  const std::string reason =
+      chosen ? chosen->disabled_reason : problem_of_query(panel.input.commands, panel.state.palette.text.data());
   const std::string text = reason.empty() ? chosen->hint : reason;
   wrapped_text(text, reason.empty() ? palette::kTextDim : palette::kWarning);
   tag_last_item(panel.tags, "palette/help", text);

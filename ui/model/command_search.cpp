@@ -35,6 +35,20 @@ bool is_count(double value, double least, double most) {
   return value == std::round(value) && value >= least && value <= most;
 }
 
+/// Describes the numbers that an argument of a command consists of.
+std::string argument_text(CommandArgument argument) {
+  switch (argument) {
+    case CommandArgument::step:
+      return "a whole number from 0 to " + std::to_string(kMaxAskedSteps);
+    case CommandArgument::cursor:
+      return "two numbers: the place in the view, each from 0 to 1";
+    case CommandArgument::array:
+      return "four numbers: how many, from 2 to " + std::to_string(kMaxArray) + ", and the offset x y z in meters";
+    default:
+      return "no numbers";
+  }
+}
+
 }  // namespace
 
 CommandQuery parse_command_query(std::string_view text) {
@@ -95,6 +109,21 @@ std::vector<const CommandInfo*> matching_commands(std::span<const CommandInfo> c
   std::vector<const CommandInfo*> found;
   for (const auto& [score, info] : scored) found.push_back(info);
   return found;
+}
+
+std::string problem_of_query(std::span<const CommandInfo> commands, std::string_view text) {
+  const auto [query, numbers] = parse_command_query(text);
+  if (numbers.empty()) return "No command matches.";
+  std::pair<int, const CommandInfo*> best{0, nullptr};
+  for (const CommandInfo& info : commands) {
+    const std::optional<int> score = command_score(info, query);
+    const bool takes_numbers = info.argument == CommandArgument::step || info.argument == CommandArgument::cursor ||
+                               info.argument == CommandArgument::array;
+    if (score && (takes_numbers || info.menu != Menu::none) && (!best.second || *score > best.first))
+      best = {*score, &info};
+  }
+  if (!best.second) return "No command matches.";
+  return std::string(best.second->label) + " takes " + argument_text(best.second->argument) + ".";
 }
 
 }  // namespace griffith::ui

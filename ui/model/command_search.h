@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,5 +28,7 @@ std::optional<Command> with_numbers(const CommandInfo& info, const std::vector<d
 /// Returns the menu commands whose title, menu or help matches, best first; all commands if `text` is empty. With
 /// numbers, those that take them, also if they are in no menu.
 std::vector<const CommandInfo*> matching_commands(std::span<const CommandInfo> commands, std::string_view text);
+/// Explains why no command matches: the numbers that the one with such letters takes.
+std::string problem_of_query(std::span<const CommandInfo> commands, std::string_view text);
 
 }  // namespace griffith::ui
