@@ -207,7 +207,8 @@ ContactWorld::Correction ContactWorld::position_correction(ProxyId proxy) const 
 Vec3 ContactWorld::pushed_out(ProxyId projectile) const { return impl_->objects[projectile].pushed_out; }
 Vec3 ContactWorld::swept_center(ProxyId proxy, double dt, double slow,
                                 const std::function<bool(ProxyId)>& stops) const {
-  return impl_->swept_end(impl_->objects[proxy], dt, {slow, stops});
+  std::vector<Impl::Pushed> pushed;  // bodies push nothing
+  return impl_->swept_end(impl_->objects[proxy], dt, {slow, stops}, pushed);
 }
 Vec3 ContactWorld::velocity_after(const Vec3& velocity, const Vec3& displacement, double dt) const {
   return impl_->velocity_after(velocity, displacement, dt);

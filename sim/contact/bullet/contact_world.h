@@ -318,7 +318,13 @@ struct ContactWorld::Impl : contact::ContactState {
     double slow = 0;
     std::function<bool(ProxyId)> stops;  ///< all do where it is empty
   };
-  Vec3 swept_end(const contact::Object& projectile, double dt, const SweepRule& rule) const;
+  /// An object that a projectile pushes ahead of itself.
+  struct Pushed {
+    std::size_t object;
+    Vec3 displacement;  ///< [m]
+  };
+  Vec3 swept_end(const contact::Object& projectile, double dt, const SweepRule& rule,
+                 std::vector<Pushed>& pushed) const;
   Vec3 velocity_after(const Vec3& velocity, const Vec3& displacement, double dt) const;
   double allowed_depth(const contact::Object& projectile, const contact::Object& other) const;
   void add_touches(const contact::Object& projectile, const contact::Object& other, const Vec3& center,

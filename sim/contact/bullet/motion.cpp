@@ -28,8 +28,9 @@ namespace {
 /// Overlap of swept projectiles at a touch, as a fraction of their radius, so that the next detection finds the
 /// contact.
 constexpr double kTouchFraction = 1e-6;
-/// Largest number of surfaces at which a projectile changes direction in one substep.
-constexpr int kMaxTurns = 4;
+/// Largest numbers of surfaces at which a projectile changes direction in one substep, and of parts that it pushes ahead
+/// of itself.
+constexpr int kMaxTurns = 4, kMaxPushed = 64;
 
 /// Motion of `a` relative to `b`, which stays in its present place.
 struct Sweep {
@@ -83,13 +84,27 @@ void turn(Object& object, const Mat3& rotation) {
   state.angular_velocity = state.pose.rotation * (object.inverse_inertia * (back * momentum));
 }
 
-/// Returns the velocity of the touched object at `center` after a fraction of the substep [m/s]. Two projectiles stop
-/// at their contact and continue together.
+/// Returns the velocity of an object at a point after a fraction of the substep [m/s].
+Vec3 velocity_at(const Object& object, const Vec3& point, double fraction, double dt) {
+  return object.state.velocity +
+         object.state.angular_velocity.cross(point - pose_after(object, fraction, dt).translation);
+}
+
+/// True if a projectile pushes what it meets ahead of itself for the rest of the substep. Bodies, which are swept too,
+/// stop.
+bool pushes(const Object& projectile, const Object& met) {
+  return projectile.kind == Kind::projectile && met.kind == Kind::proxy && met.moves();
+}
+
+/// Returns the velocity with which an object continues that a projectile has met at `center` after a fraction of the
+/// substep [m/s]: free ones together with it, as after an inelastic impact.
 Vec3 velocity_of_met(const Object& projectile, const Object& met, const Vec3& center, double fraction, double dt) {
   const double own = projectile.inverse_mass, other = met.inverse_mass;
+  const Vec3 velocity = velocity_at(met, center, fraction, dt);
   if (met.kind == Kind::projectile && own + other > 0)
     return (other * projectile.state.velocity + own * met.state.velocity) / (own + other);
-  return met.state.velocity + met.state.angular_velocity.cross(center - pose_after(met, fraction, dt).translation);
+  if (!pushes(projectile, met)) return velocity;
+  return (other * projectile.state.velocity + own * velocity) / (own + other);
 }
 
 /// Returns the rotation of a projectile by its spin in `dt` [s] and by its correction.
@@ -111,7 +126,9 @@ bool ContactWorld::Impl::move_projectiles(double dt) {
     turn_free(objects[i], dt);
   }
   std::vector<Vec3> ends;
-  for (std::size_t i : projectiles) ends.push_back(swept_end(objects[i], dt, {}));
+  std::vector<Pushed> pushed;
+  for (std::size_t i : projectiles) ends.push_back(swept_end(objects[i], dt, {}, pushed));
+  for (const Pushed& of : pushed) objects[of.object].correction.translation += of.displacement;
   for (std::size_t i = 0; i < projectiles.size(); ++i) {
     Object& object = objects[projectiles[i]];
     const Vec3 mean = object.mean_velocity(dt);
@@ -178,13 +195,15 @@ bool ContactWorld::Impl::LeftSurface::is(const Object& other, std::size_t other_
 }
 
 /// Returns the place of a projectile after `dt` among the others in uniform motion. After slow touches it slides along
-/// the surface. An impact stops it for the rest of `dt`, or pushes it on, no faster than before, so that the next
-/// detection finds both in contact.
-Vec3 ContactWorld::Impl::swept_end(const Object& projectile, double dt, const SweepRule& rule) const {
+/// the surface. At an impact it continues together with what is free, and adds the displacement of that to `pushed`;
+/// anything else stops it for the rest of `dt`, or pushes it on, no faster than before. The next detection thus finds
+/// both in contact.
+Vec3 ContactWorld::Impl::swept_end(const Object& projectile, double dt, const SweepRule& rule,
+                                   std::vector<Pushed>& pushed) const {
   Vec3 center = projectile.state.pose.translation, velocity = projectile.mean_velocity(dt);
   double fraction = 0;
   std::vector<LeftSurface> parting;
-  for (int turns = 0; turns < kMaxTurns; ++turns) {
+  for (int turns = 0, pushes_made = 0; turns < kMaxTurns && pushes_made < kMaxPushed;) {
     const Vec3 before = velocity;
     for (const TouchAhead& next : touches_ahead(projectile, center, velocity, fraction, dt, rule)) {
       const Vec3 local_normal = pose_after(*next.met, next.fraction, dt).rotation.conjugate() * next.normal;
@@ -195,7 +214,14 @@ Vec3 ContactWorld::Impl::swept_end(const Object& projectile, double dt, const Sw
       center += (next.fraction - fraction) * dt * velocity;
       fraction = next.fraction;
       velocity = velocity_at_touch(projectile, velocity, next, center, dt);
-      if (velocity != before) break;
+      if (velocity == before) continue;
+      const bool pushes_it = pushes(projectile, *next.met);
+      ++(pushes_it ? pushes_made : turns);
+      const double ahead = next.normal.dot(velocity - velocity_at(*next.met, center, fraction, dt));
+      if (pushes_it && ahead < 0)
+        pushed.push_back({static_cast<std::size_t>(next.met - objects.data()),
+                          (1 - fraction) * dt * ahead * next.normal});
+      break;
     }
     if (velocity == before) return center + (1 - fraction) * dt * velocity;
   }
@@ -212,7 +238,8 @@ Vec3 ContactWorld::Impl::velocity_at_touch(const Object& projectile, Vec3 veloci
   const double came = touch.fraction * dt * (projectile.state.velocity - touch.met->state.velocity).norm();
   const bool just_solved = came < 10 * kTouchFraction * projectile.shape.radius;
   velocity += approach * touch.normal;
-  if (approach > touching_speed(projectile, *touch.met, dt) && !just_solved) velocity = pushed * touch.normal;
+  const bool stops = approach > touching_speed(projectile, *touch.met, dt) && !just_solved;
+  if (stops && !pushes(projectile, *touch.met)) velocity = pushed * touch.normal;
   return velocity * (speed / std::max({velocity.norm(), speed, std::numeric_limits<double>::min()}));
 }
 

@@ -227,7 +227,8 @@ SolvedContacts solve_contacts(WorldState& world, double dt, const MeetingFilter&
 
 void apply_corrections(WorldState& world) {
   for (Body& body : world.bodies) {
-    if (body.asleep || body.supported() || body.rigid) continue;  // what is rigid is led to where its contacts leave it
+    // What is rigid is led to where its contacts leave it, and microsteps have contacts of their own.
+    if (body.asleep || body.supported() || body.rigid || body.explicit_state) continue;
     const ContactWorld::Correction correction = world.contact_world.position_correction(body.proxy);
     if (correction.translation.isZero(0) && correction.rotation.isZero(0)) continue;
     world.energy.limited += body.motion.mass * world.model->scene.gravity.dot(correction.translation);

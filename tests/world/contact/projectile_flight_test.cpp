@@ -52,5 +52,58 @@ TEST(ProjectileFlight, IsStraightBesideWhatSpins) {
   EXPECT_GT(flights, 800);
 }
 
+/// A heavy ball that runs into a row of free cubes, weightless and without friction.
+Scene row_of_cubes(double rate) {
+  Scene scene;
+  scene.gravity.setZero();
+  scene.ground.reset();
+  scene.simulation.time_step = 1 / rate;
+  scene.simulation.fracture = false;
+  for (int i = 0; i < 3; ++i) {
+    BodyDescription& cube = scene.bodies.emplace_back();
+    cube.name = "cube " + std::to_string(i);
+    cube.shape = BoxShape{Vec3::Constant(0.1), Vec3::Constant(0.1)};
+    cube.position = Vec3(0.01 * i, 0.02, -0.3 - 0.5 * i);
+    cube.material.young_modulus = 50e9;
+    cube.material.density = 2650;
+    cube.material.friction = 0;
+  }
+  ProjectileBurst& ball = scene.projectiles.emplace_back();
+  ball.position = Vec3(0, 0, 0.3);
+  ball.direction = -Vec3::UnitZ();
+  ball.speed = 20;
+  ball.mass = 20;
+  ball.radius = 0.085;
+  ball.friction = 0;
+  return scene;
+}
+
+/// An impact takes no time: what is struck late in a step is carried along for the rest of it. The center of mass of all
+/// moves evenly, but for what is pushed into the next cube: that takes a tenth of a step at most.
+TEST(ProjectileFlight, AHeavyBallDoesNotWaitForWhatItPushes) {
+  for (const double rate : {30.0, 60.0, 250.0}) {
+    const Scene scene = row_of_cubes(rate);
+    World world(scene);
+    const double mass = world.frame().totals.mass + scene.projectiles[0].mass;
+    const auto moment = [&] {  // mass times position along the flight
+      const Frame frame = world.frame();
+      double sum = frame.projectiles.empty() ? 20 * 0.3 : 20 * frame.projectiles[0].position.z();
+      for (const BodyView& body : frame.bodies) sum += body.mass * body.center_of_mass.z();
+      return sum;
+    };
+    const double start = moment();
+    double lost = 0;
+    for (int step = 0; step < static_cast<int>(rate / 10); ++step) {
+      const double before = step == 0 ? 0.3 : world.frame().projectiles[0].position.z();
+      const double speed = step == 0 ? 20 : world.frame().projectiles[0].velocity.norm();
+      world.step();
+      const ProjectileView ball = world.frame().projectiles[0];
+      lost += std::max(0.0, std::min(speed, ball.velocity.norm()) / rate - (before - ball.position.z()));
+    }
+    EXPECT_LT(lost, 0.02) << rate;
+    EXPECT_NEAR((moment() - start) / mass, -20 * 20 / mass * 0.1, 0.1 * 20 / rate) << rate;
+  }
+}
+
 }  // namespace
 }  // namespace griffith
