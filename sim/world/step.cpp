@@ -1,8 +1,6 @@
 #include "sim/world/step.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <cstdio>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -223,8 +221,8 @@ double turning_limit(const WorldState& world, double shortest) {
   return std::max(kFar / spins[kFew], shortest);
 }
 
-/// True if something else is about to strike a body within `left` [s] that has come out of microsteps since `start`
-/// [s], in a step with cracks, and now deforms without them.
+/// True if another body or a projectile is about to strike a body within `left` [s] that has come out of microsteps
+/// since `start` [s], in a step with cracks, and now deforms without them.
 bool is_struck_again(const WorldState& world, double start, double left) {
   const auto has_broken = [&](BodyId id) {
     return id.valid() && world.bodies[id].is_deformable() && world.bodies[id].explicit_ended > start;
@@ -232,7 +230,11 @@ bool is_struck_again(const WorldState& world, double start, double left) {
   const auto matters = [&](BodyId a, BodyId b) {
     return (has_broken(a) || has_broken(b)) && !have_just_parted(world, a, b);
   };
-  return world.report.cracks > 0 && !any_explicit(world) && !expected_impacts(world, left, matters).empty();
+  if (world.report.cracks == 0 || any_explicit(world)) return false;
+  const auto lacks_ground = [&](const ContactWorld::Encounter& met) {
+    return !world.contact_world.is_ground(met.a) && !world.contact_world.is_ground(met.b);
+  };
+  return std::ranges::any_of(expected_impacts(world, left, matters), lacks_ground);
 }
 
 /// Returns the length of the next substep of a step with `left` [s] to go [s]. Where what has just broken goes on
@@ -271,8 +273,6 @@ void step_in_substeps(WorldState& world, double time_step) {
     timed(ms.separation, [&] { evaluate_separation(world, true); });
     if (before && undo_if_overloaded(world, *before, substep, limit)) continue;
     left -= limit.last = substep;
-    if (getenv("DBG")) { int ex=0,el=0,et=0; for (auto& b: world.bodies) { ex += b.explicit_state.has_value(); if(b.explicit_state) et+=b.tets.size(); el += b.is_deformable(); }
-      fprintf(stderr, "  sub %.3g at %.5f: el %.0f ct %.0f ex %.0f sep %.0f | explicit %d (%d tets) deformable %d cracks %d unconv %d work %.0f left %.0f\n", substep, world.time, ms.elasticity, ms.contact, ms.explicit_dynamics, ms.separation, ex, et, el, world.report.cracks, world.report.unconverged_contacts, world.scratch.microstep_work*1e-3, work_left(world)*1e-3); }
     timed(ms.separation, [&] { begin_explicit_if_overloaded(world); });
     if (world.model->scene.simulation.fracture) open_cracks(world, substep);
   }

@@ -28,8 +28,8 @@ namespace {
 /// Overlap of swept projectiles at a touch, as a fraction of their radius, so that the next detection finds the
 /// contact.
 constexpr double kTouchFraction = 1e-6;
-/// Largest numbers of surfaces at which a projectile changes direction in one substep, and of parts that it pushes ahead
-/// of itself.
+/// Largest numbers of surfaces at which a projectile changes direction in one substep, and of parts that it pushes
+/// ahead of itself.
 constexpr int kMaxTurns = 4, kMaxPushed = 64;
 
 /// Motion of `a` relative to `b`, which stays in its present place.
@@ -90,10 +90,12 @@ Vec3 velocity_at(const Object& object, const Vec3& point, double fraction, doubl
          object.state.angular_velocity.cross(point - pose_after(object, fraction, dt).translation);
 }
 
-/// True if a projectile pushes what it meets ahead of itself for the rest of the substep. Bodies, which are swept too,
-/// stop.
+/// True if a projectile pushes what it meets ahead of itself for the rest of the substep. At heavier objects it stops,
+/// as swept bodies do: displacements across their paths, before the impulse, would change the angular momentum.
 bool pushes(const Object& projectile, const Object& met) {
-  return projectile.kind == Kind::projectile && met.kind == Kind::proxy && met.moves();
+  constexpr double kLight = 0.25;  // of the projectile's mass
+  return projectile.kind == Kind::projectile && met.kind == Kind::proxy && met.moves() &&
+         projectile.inverse_mass < kLight * met.inverse_mass;
 }
 
 /// Returns the velocity with which an object continues that a projectile has met at `center` after a fraction of the
@@ -219,8 +221,8 @@ Vec3 ContactWorld::Impl::swept_end(const Object& projectile, double dt, const Sw
       ++(pushes_it ? pushes_made : turns);
       const double ahead = next.normal.dot(velocity - velocity_at(*next.met, center, fraction, dt));
       if (pushes_it && ahead < 0)
-        pushed.push_back({static_cast<std::size_t>(next.met - objects.data()),
-                          (1 - fraction) * dt * ahead * next.normal});
+        pushed.push_back(
+            {static_cast<std::size_t>(next.met - objects.data()), (1 - fraction) * dt * ahead * next.normal});
       break;
     }
     if (velocity == before) return center + (1 - fraction) * dt * velocity;

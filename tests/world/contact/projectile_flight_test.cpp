@@ -78,8 +78,8 @@ Scene row_of_cubes(double rate) {
   return scene;
 }
 
-/// An impact takes no time: what is struck late in a step is carried along for the rest of it. The center of mass of all
-/// moves evenly, but for what is pushed into the next cube: that takes a tenth of a step at most.
+/// An impact takes no time: what is struck late in a step is carried along for the rest of it. The center of mass of
+/// all moves evenly, but for what is pushed into the next cube: that takes a tenth of a step at most.
 TEST(ProjectileFlight, AHeavyBallDoesNotWaitForWhatItPushes) {
   for (const double rate : {30.0, 60.0, 250.0}) {
     const Scene scene = row_of_cubes(rate);
