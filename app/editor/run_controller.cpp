@@ -288,6 +288,7 @@ bool RunController::follow_material(int scene_body) {
 
 /// True if the branch ends with materials that are neither in force nor in the saved scene.
 bool RunController::has_later_edits() const {
+  if (timeline_.step() == timeline_.last_step()) return false;
   const std::span<const Material> in_force = frame().materials;
   const std::vector<BodyDescription>& saved = document_.history().saved().bodies;
   if (in_force.size() != saved.size()) return false;

@@ -158,6 +158,7 @@ class RunController {
   void follow_shown_world();
   /// Updates everything after a jump in time.
   void arrive();
+
   ui::EditorState& state_;
   SceneDocument& document_;
   Viewport& viewport_;

@@ -161,28 +161,16 @@ void Timeline::enter_line() {
   inputs_done_ = 0;
 }
 
-/// Applies known inputs before the next step that are not done yet, as long as `is_wanted`.
-template <class IsWanted>
-void Timeline::redo_inputs(IsWanted is_wanted) {
+/// Applies known inputs before the next step that are not done yet. `in_past`: only materials, up to the first other
+/// input: who edits one expects it wherever its step is shown.
+void Timeline::redo_inputs(bool in_past) {
   enter_line();
   std::vector<WorldInput>& inputs = branches_[line_].inputs;
   for (; inputs_done_ < inputs.size() && inputs[inputs_done_].step <= step_; ++inputs_done_) {
-    if (!is_wanted(inputs[inputs_done_])) return;
+    if (in_past && !std::holds_alternative<MaterialChange>(inputs[inputs_done_].action)) return;
     apply(world_, inputs[inputs_done_]);
     ++revision_;
   }
-}
-
-void Timeline::redo_inputs() {
-  redo_inputs([](const WorldInput&) { return true; });
-}
-
-/// Restores the present at the end of the branch, else the materials that were set at this step: who edits one expects
-/// it wherever the step is shown.
-void Timeline::redo_shown_inputs() {
-  const bool is_present = step_ == last_step();
-  redo_inputs(
-      [&](const WorldInput& input) { return is_present || std::holds_alternative<MaterialChange>(input.action); });
 }
 
 /// Returns the needs of the step after this one.
@@ -199,7 +187,7 @@ void Timeline::finish_step(StepRecord record, std::size_t cracks_before) {
   ++step_;
   ++revision_;
   if (repeats) {
-    redo_shown_inputs();
+    redo_inputs(step_ < last_step());
     return;
   }
   branches_[branch_].last_step = step_;
@@ -264,7 +252,7 @@ std::int64_t Timeline::approach(int branch, std::int64_t step) {
     inputs_done_ = static_cast<std::size_t>(
         std::ranges::lower_bound(branches_[line_].inputs, at, {}, &WorldInput::step) - branches_[line_].inputs.begin());
   }
-  if (step_ == step) redo_shown_inputs();
+  if (step_ == step) redo_inputs(step_ < last_step());
   return step;
 }
 

@@ -122,10 +122,7 @@ class Timeline {
   void do_input(WorldInput input);
   void begin_branch();
   void enter_line();
-  template <class IsWanted>
-  void redo_inputs(IsWanted is_wanted);
-  void redo_inputs();
-  void redo_shown_inputs();
+  void redo_inputs(bool in_past = false);
   StepNeeds needs_of_step() const;
   void finish_step(StepRecord record, std::size_t cracks_before);
   void mark_step(std::size_t cracks_before);

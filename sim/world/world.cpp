@@ -73,11 +73,12 @@ void restore_start(WorldState& world, int scene_body) {
 
 /// Evaluates separation again under the present material. `stays`: the stress is the same. Postponed cracks are
 /// dropped, since others would have to open.
-void reevaluate_separation(WorldState& world, int scene_body, bool stays) {
+void evaluate_edited(WorldState& world, int scene_body, bool stays) {
   std::erase_if(world.postponed,
                 [&](const PostponedCrack& crack) { return body_at(world, crack.node).scene_body == scene_body; });
+  if (stays) return reevaluate_separation(world, scene_body);
   for (const Body& body : world.bodies)
-    if (body.scene_body == scene_body) stays ? reevaluate_separation(world, body) : evaluate_separation(world, body);
+    if (body.scene_body == scene_body) evaluate_separation(world, body);
 }
 
 /// Returns the memory of a mesh and its stars [bytes].
@@ -198,7 +199,7 @@ void World::set_material(int scene_body, const Material& material) {
     place_proxies(world);
   }
   update_elements(world);
-  reevaluate_separation(world, scene_body, stays);
+  evaluate_edited(world, scene_body, stays);
   account_edit(world, before);
   publish(world);
 }

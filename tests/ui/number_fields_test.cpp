@@ -11,6 +11,13 @@
 namespace griffith::ui {
 namespace {
 
+/// Shows the panels with all their sections in a window that has room for them.
+void open_all_sections(UiDriver& ui) {
+  ImGui::GetIO().DisplaySize = {1500, 6000};
+  ui.state.open_sections = true;
+  for (int i = 0; i < 3; ++i) ui.frame();
+}
+
 const Material& edited_material(const UiDriver& ui) { return ui.history.scene().bodies[0].material; }
 
 TEST(NumberFields, TypedPoissonRatioStaysBelowOneHalfAndSaysSo) {
@@ -113,9 +120,7 @@ TEST(NumberFields, NoClickOnAnyFieldOfAnyFormChangesAnything) {
   int fields = 0;
   for (const char* entry : {"bodies/0", "bodies/0/supports/0", "bodies/0/loads/0", "projectiles/0", "cameras/0"}) {
     UiDriver ui(scene);
-    ImGui::GetIO().DisplaySize = {1500, 6000};
-    ui.state.open_sections = true;
-    for (int i = 0; i < 3; ++i) ui.frame();
+    open_all_sections(ui);
     ui.click(entry);
     const ProjectileBurst shot = ui.state.shot;
     for (const std::string& tag : number_tags(ui)) {
@@ -136,9 +141,7 @@ TEST(NumberFields, NoClickOnAnyFieldOfAnyFormChangesAnything) {
 
 TEST(NumberFields, TheShownTextTypedBackChangesNothingButItsRounding) {
   UiDriver ui(full_of_fields());
-  ImGui::GetIO().DisplaySize = {1500, 6000};
-  ui.state.open_sections = true;
-  for (int i = 0; i < 3; ++i) ui.frame();
+  open_all_sections(ui);
   ui.history.change("odd numbers", [](Scene& scene) {
     scene.bodies[0].material.young_modulus = 12.34567891234e9;
     scene.bodies[0].position = Vec3(0.0123456789, 1e-4, 0);
@@ -214,9 +217,7 @@ TEST(NumberFields, TheUnitStaysWhileOneDrags) {
   Scene scene = two_walls();
   scene.bodies[0].position = Vec3(0.9, 0, 0);
   UiDriver ui(scene);
-  ImGui::GetIO().DisplaySize = {1500, 6000};
-  ui.state.open_sections = true;
-  for (int i = 0; i < 3; ++i) ui.frame();
+  open_all_sections(ui);
   const ImVec2 place = ui.find("body/position/0");
   ui.move(place);
   ui.press(0, true);
@@ -234,9 +235,7 @@ TEST(NumberFields, TheUnitOfARowStaysFromOneNumberToTheNext) {
     Scene scene = two_walls();
     scene.bodies[0].position = Vec3(0.9, 0.1, 0);
     UiDriver ui(scene);
-    ImGui::GetIO().DisplaySize = {1500, 6000};
-    ui.state.open_sections = true;
-    for (int i = 0; i < 3; ++i) ui.frame();
+    open_all_sections(ui);
     ui.click("body/position/0");
     for (const char* text : {"1000", "710", "500"}) {
       type(ui.queue, text);

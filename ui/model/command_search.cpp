@@ -35,8 +35,8 @@ bool is_count(double value, double least, double most) {
   return value == std::round(value) && value >= least && value <= most;
 }
 
-/// Describes the numbers that an argument of a command consists of.
-std::string argument_text(CommandArgument argument) {
+/// Describes the numbers that an argument of a command consists of; empty for one without numbers.
+std::string numbers_text(CommandArgument argument) {
   switch (argument) {
     case CommandArgument::step:
       return "a whole number from 0 to " + std::to_string(kMaxAskedSteps);
@@ -45,7 +45,7 @@ std::string argument_text(CommandArgument argument) {
     case CommandArgument::array:
       return "four numbers: how many, from 2 to " + std::to_string(kMaxArray) + ", and the offset x y z in meters";
     default:
-      return "no numbers";
+      return {};
   }
 }
 
@@ -98,11 +98,14 @@ std::optional<int> match_score(std::string_view text, std::string_view query) {
   return score;
 }
 
-std::vector<const CommandInfo*> matching_commands(std::span<const CommandInfo> commands, std::string_view text) {
-  const auto [query, numbers] = parse_command_query(text);
+namespace {
+
+/// Returns the commands that are offered and match, best first.
+std::vector<const CommandInfo*> best_matches(std::span<const CommandInfo> commands, std::string_view query,
+                                             const auto& is_offered) {
   std::vector<std::pair<int, const CommandInfo*>> scored;
   for (const CommandInfo& info : commands) {
-    if ((info.menu == Menu::none || !numbers.empty()) && !with_numbers(info, numbers)) continue;
+    if (!is_offered(info)) continue;
     if (const std::optional<int> score = command_score(info, query)) scored.emplace_back(*score, &info);
   }
   std::ranges::stable_sort(scored, [](const auto& a, const auto& b) { return a.first > b.first; });
@@ -111,19 +114,23 @@ std::vector<const CommandInfo*> matching_commands(std::span<const CommandInfo> c
   return found;
 }
 
+}  // namespace
+
+std::vector<const CommandInfo*> matching_commands(std::span<const CommandInfo> commands, std::string_view text) {
+  const CommandQuery query = parse_command_query(text);
+  return best_matches(commands, query.letters, [&](const CommandInfo& info) {
+    return query.numbers.empty() ? info.menu != Menu::none : with_numbers(info, query.numbers).has_value();
+  });
+}
+
 std::string problem_of_query(std::span<const CommandInfo> commands, std::string_view text) {
-  const auto [query, numbers] = parse_command_query(text);
-  if (numbers.empty()) return "No command matches.";
-  std::pair<int, const CommandInfo*> best{0, nullptr};
-  for (const CommandInfo& info : commands) {
-    const std::optional<int> score = command_score(info, query);
-    const bool takes_numbers = info.argument == CommandArgument::step || info.argument == CommandArgument::cursor ||
-                               info.argument == CommandArgument::array;
-    if (score && (takes_numbers || info.menu != Menu::none) && (!best.second || *score > best.first))
-      best = {*score, &info};
-  }
-  if (!best.second) return "No command matches.";
-  return std::string(best.second->label) + " takes " + argument_text(best.second->argument) + ".";
+  const CommandQuery query = parse_command_query(text);
+  const auto found = best_matches(commands, query.letters, [](const CommandInfo& info) {
+    return info.menu != Menu::none || !numbers_text(info.argument).empty();
+  });
+  if (query.numbers.empty() || found.empty()) return "No command matches.";
+  const std::string numbers = numbers_text(found.front()->argument);
+  return std::string(found.front()->label) + " takes " + (numbers.empty() ? "no numbers" : numbers) + ".";
 }
 
 }  // namespace griffith::ui

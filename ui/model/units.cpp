@@ -125,10 +125,10 @@ UnitSpelling unit_at(std::string_view text, std::string_view unit) {
     if (spelling.size() > longest.length && text.starts_with(spelling)) longest = {spelling.size(), factor};
   };
   offer(std::string(unit), 1);
+  std::vector<std::string_view> ends = plain_spellings(unit);
+  ends.insert(ends.end(), {std::string_view(), unit});
   for (const SiPrefix& prefix : kPrefixes) {
     if (!takes_prefix(unit)) break;
-    std::vector<std::string_view> ends = plain_spellings(unit);
-    ends.insert(ends.end(), {std::string_view(), unit});
     for (const std::string_view end : ends) {
       offer(std::string(prefix.symbol).append(end), prefix.factor);
       if (prefix.factor == 1e-6) offer(std::string("u").append(end), prefix.factor);

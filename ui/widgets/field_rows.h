@@ -70,8 +70,8 @@ class FieldRows {
   /// Common unit of all vectors with the same numbers, such as position and target of a camera.
   struct SharedUnit {
     Numbers numbers;
-    double largest = 0;               ///< largest of their components
-    std::optional<SiPrefix> ongoing;  ///< prefix of the edit of one of them
+    double largest = 0;                    ///< largest of their components
+    std::optional<SiPrefix> ongoing = {};  ///< prefix of the edit of one of them
   };
 
   /// Archive that finds these units.
@@ -98,7 +98,7 @@ class FieldRows {
         if (unit.numbers.unit == numbers.unit && unit.numbers.minimum == numbers.minimum &&
             unit.numbers.maximum == numbers.maximum)
           return unit;
-      return found.emplace_back(SharedUnit{numbers, 0, std::nullopt});
+      return found.emplace_back(SharedUnit{numbers});
     }
     SiPrefix prefix(const Numbers& numbers) {
       const SharedUnit& unit = of(numbers);

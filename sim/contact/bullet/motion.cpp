@@ -99,7 +99,7 @@ bool pushes(const Object& projectile, const Object& met) {
 }
 
 /// Returns the velocity with which an object continues that a projectile has met at `center` after a fraction of the
-/// substep [m/s]: free ones together with it, as after an inelastic impact.
+/// substep [m/s]: light ones and projectiles together with it, as after an inelastic impact.
 Vec3 velocity_of_met(const Object& projectile, const Object& met, const Vec3& center, double fraction, double dt) {
   const double own = projectile.inverse_mass, other = met.inverse_mass;
   const Vec3 velocity = velocity_at(met, center, fraction, dt);
@@ -197,7 +197,7 @@ bool ContactWorld::Impl::LeftSurface::is(const Object& other, std::size_t other_
 }
 
 /// Returns the place of a projectile after `dt` among the others in uniform motion. After slow touches it slides along
-/// the surface. At an impact it continues together with what is free, and adds the displacement of that to `pushed`;
+/// the surface. At an impact it continues together with what is light, and adds the displacement of that to `pushed`;
 /// anything else stops it for the rest of `dt`, or pushes it on, no faster than before. The next detection thus finds
 /// both in contact.
 Vec3 ContactWorld::Impl::swept_end(const Object& projectile, double dt, const SweepRule& rule,

@@ -172,15 +172,17 @@ void evaluate_separation(WorldState& world, const Body& body) {
   evaluate_body(world, separation_input(world), body, false);
 }
 
-void reevaluate_separation(WorldState& world, const Body& body) {
-  if (body.rigid) return;
-  for (const NodeId node : body.nodes) {
-    NodeSeparation& separation = world.nodes.separations[node];
-    separation.end_stress = 2 * separation.stress - separation.end_stress;  // at the start
-  }
+void reevaluate_separation(WorldState& world, int scene_body) {
   world.scratch.node_load_sums.resize(world.nodes.positions.size());
   world.scratch.held_nodes = held_nodes(world);
-  evaluate_body(world, separation_input(world), body, true);
+  for (const Body& body : world.bodies) {
+    if (body.rigid || body.scene_body != scene_body) continue;
+    for (const NodeId node : body.nodes) {
+      NodeSeparation& separation = world.nodes.separations[node];
+      separation.end_stress = 2 * separation.stress - separation.end_stress;  // at the start
+    }
+    evaluate_body(world, separation_input(world), body, true);
+  }
   world.scratch.held_nodes.clear();
 }
 

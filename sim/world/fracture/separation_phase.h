@@ -11,9 +11,9 @@ namespace griffith {
 void evaluate_separation(WorldState& world, bool averaged);
 /// Evaluates one body, under its stress as it is now.
 void evaluate_separation(WorldState& world, const Body& body);
-/// Evaluates a body again under the stresses of the last evaluation, after its resistance has changed: under the mean
-/// where that was one.
-void reevaluate_separation(WorldState& world, const Body& body);
+/// Evaluates the pieces of a body of the scene again under the stresses of the last evaluation, after its resistance
+/// has changed: under the mean where that was one.
+void reevaluate_separation(WorldState& world, int scene_body);
 /// Returns the largest utilization of a body's nodes in the last evaluation.
 double peak_utilization(const WorldState& world, const Body& body);
 /// Returns the edge length of the cells around a node: that of a cube of six of its tets [m].

@@ -9,26 +9,39 @@ namespace {
 
 using testing::RandomValues;
 
-/// A ball that passes a spinning chip of glass, weightless and without friction.
-Scene pass_of_chip(RandomValues& random) {
+/// Without gravity, ground and fracture. `rate`: steps a second.
+Scene weightless_scene(double rate) {
   Scene scene;
   scene.gravity.setZero();
   scene.ground.reset();
-  scene.simulation.time_step = 1.0 / 60;
+  scene.simulation.time_step = 1 / rate;
   scene.simulation.fracture = false;
+  return scene;
+}
+
+/// A ball that flies along −z without friction.
+ProjectileBurst frictionless_ball(const Vec3& position, double speed, double mass, double radius) {
+  ProjectileBurst shot;
+  shot.position = position;
+  shot.direction = -Vec3::UnitZ();
+  shot.speed = speed;
+  shot.mass = mass;
+  shot.radius = radius;
+  shot.friction = 0;
+  return shot;
+}
+
+/// A ball that passes a spinning chip of glass, weightless and without friction.
+Scene pass_of_chip(RandomValues& random) {
+  Scene scene = weightless_scene(60);
   BodyDescription& chip = scene.bodies.emplace_back();
   chip.shape = BoxShape{Vec3(0.08, 0.05, 0.006), Vec3(0.04, 0.05, 0.006)};
   chip.material.young_modulus = 70e9;
   chip.material.friction = 0;
   chip.angular_velocity = random.vector(100);
   chip.velocity = Vec3(0, 0, random.uniform(-6, 6));
-  ProjectileBurst& ball = scene.projectiles.emplace_back();
-  ball.position = Vec3(random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05), 0.1);
-  ball.direction = -Vec3::UnitZ();
-  ball.speed = 15;
-  ball.mass = 0.5;
-  ball.radius = 0.025;
-  ball.friction = 0;
+  const Vec3 place(random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05), 0.1);
+  scene.projectiles = {frictionless_ball(place, 15, 0.5, 0.025)};
   return scene;
 }
 
@@ -54,11 +67,7 @@ TEST(ProjectileFlight, IsStraightBesideWhatSpins) {
 
 /// A heavy ball that runs into a row of free cubes, weightless and without friction.
 Scene row_of_cubes(double rate) {
-  Scene scene;
-  scene.gravity.setZero();
-  scene.ground.reset();
-  scene.simulation.time_step = 1 / rate;
-  scene.simulation.fracture = false;
+  Scene scene = weightless_scene(rate);
   for (int i = 0; i < 3; ++i) {
     BodyDescription& cube = scene.bodies.emplace_back();
     cube.name = "cube " + std::to_string(i);
@@ -68,13 +77,7 @@ Scene row_of_cubes(double rate) {
     cube.material.density = 2650;
     cube.material.friction = 0;
   }
-  ProjectileBurst& ball = scene.projectiles.emplace_back();
-  ball.position = Vec3(0, 0, 0.3);
-  ball.direction = -Vec3::UnitZ();
-  ball.speed = 20;
-  ball.mass = 20;
-  ball.radius = 0.085;
-  ball.friction = 0;
+  scene.projectiles = {frictionless_ball(Vec3(0, 0, 0.3), 20, 20, 0.085)};
   return scene;
 }
 
@@ -97,8 +100,8 @@ TEST(ProjectileFlight, AHeavyBallDoesNotWaitForWhatItPushes) {
       const double before = step == 0 ? 0.3 : world.frame().projectiles[0].position.z();
       const double speed = step == 0 ? 20 : world.frame().projectiles[0].velocity.norm();
       world.step();
-      const ProjectileView ball = world.frame().projectiles[0];
-      lost += std::max(0.0, std::min(speed, ball.velocity.norm()) / rate - (before - ball.position.z()));
+      const ProjectileView now = world.frame().projectiles[0];
+      lost += std::max(0.0, std::min(speed, now.velocity.norm()) / rate - (before - now.position.z()));
     }
     EXPECT_LT(lost, 0.02) << rate;
     EXPECT_NEAR((moment() - start) / mass, -20 * 20 / mass * 0.1, 0.1 * 20 / rate) << rate;
