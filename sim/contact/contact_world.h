@@ -43,7 +43,7 @@ struct SurfaceProperties {
 enum class Mobility {
   free,       ///< contacts move it
   kinematic,  ///< contacts do not move it: a body with supports; its velocity still counts at the contact. Where it
-              ///< moves it touches the ground, which its elastic answer may stop, but nothing else that is held
+              ///< moves it touches what else is kinematic, which the elastic answers of the two may stop
 };
 
 /// Time at which a contact has its position. As wide as a number: contacts are hashed by their bytes.

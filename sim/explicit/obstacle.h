@@ -34,12 +34,12 @@ struct ConvexSolid {
 ConvexSolid convex_solid(const ConvexHull& hull, double spacing);
 
 /// Rigid object that the bodies in explicit dynamics may hit: a projectile, a rigid piece, one that swings about a
-/// pivot, the ground.
+/// pivot, what supports hold or drive, the ground.
 struct Obstacle {
   ProxyId object;                   ///< object that it represents
   double radius = 0;                ///< radius of the sphere, or of the bounding sphere [m]; infinite for the ground
   std::vector<ConvexSolid> solids;  ///< empty: a sphere
-  double inverse_mass = 0;          ///< 0: the origin of its own frame stays [1/kg]
+  double inverse_mass = 0;          ///< 0: nothing changes the velocity of its own frame's origin [1/kg]
   Mat3 inverse_inertia = Mat3::Zero();  ///< in its own frame, about that origin [1/(kg·m²)]
   Vec3 center = Vec3::Zero();           ///< center of mass in its own frame; not zero if it swings about a pivot [m]
   RigidState state;
@@ -50,6 +50,7 @@ struct Obstacle {
 
   bool is_sphere() const { return solids.empty(); }
   bool is_movable() const { return inverse_mass > 0 || !inverse_inertia.isZero(0); }
+  bool is_still() const { return state.velocity.isZero(0) && state.angular_velocity.isZero(0); }
   bool is_ground() const { return std::isinf(radius); }
   /// Returns the distance of a place from a solid of one face, the ground [m].
   double gap_of(const Vec3& place) const { return solids.front().faces.front().distance(state.pose.to_local(place)); }

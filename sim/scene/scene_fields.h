@@ -205,7 +205,7 @@ void describe(Archive& archive, BodyDescription& body) {
   archive.field("position", body.position, kPlace, "Position of the shape's origin");
   archive.field("rotation_degrees", body.rotation_degrees, between(-1e6, 1e6, "degrees"),
                 "Rotation about the fixed x, then y, then z axis");
-  archive.field("velocity", body.velocity, between(-1e5, 1e5, "m/s"), "Initial velocity");
+  archive.field("velocity", body.velocity, between(-1e5, 1e5, "m/s"), "Initial velocity, where supports allow it");
   archive.field("angular_velocity", body.angular_velocity, between(-1e5, 1e5, "rad/s"),
                 "Initial angular velocity about the center of mass");
   archive.field("material", body.material, MaterialChoice{},

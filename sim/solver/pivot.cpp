@@ -8,10 +8,15 @@
 #include "sim/solver/rigid_motion.h"
 
 namespace griffith {
+namespace {
+
+/// Square of the share of the size by which a free motion may move what is held.
+constexpr double kStill = 1e-9;
+
+}  // namespace
 
 std::optional<Pivot> pivot_of(std::span<const NodeId> supports, std::span<const NodeConstraint> constraints,
                               std::span<const Vec3> positions) {
-  constexpr double kStill = 1e-9;  // square of the share of the size by which what turns may move what is held
   Pivot pivot;
   int held = 0;
   for (NodeId node : supports) {
@@ -34,6 +39,25 @@ std::optional<Pivot> pivot_of(std::span<const NodeId> supports, std::span<const 
   if (free_axes != 1 && free_axes != 3) return std::nullopt;
   pivot.axes = eigen.eigenvectors().leftCols(free_axes);
   return pivot;
+}
+
+int count_free_motions(std::span<const NodeId> supports, std::span<const NodeConstraint> constraints,
+                       std::span<const Vec3> positions) {
+  using Motions = Eigen::Matrix<double, 6, 6>;
+  if (supports.empty()) return 6;
+  Vec3 center = Vec3::Zero();
+  for (const NodeId node : supports) center += positions[node] / static_cast<double>(supports.size());
+  double size = 0;
+  for (const NodeId node : supports) size = std::max(size, (positions[node] - center).norm());
+  const double per_length = size > 0 ? 1 / size : 0;
+  Motions resistance = Motions::Zero();  // sum of (blocked part of v + ω × arm)²
+  for (const NodeId node : supports) {
+    Eigen::Matrix<double, 3, 6> velocity;
+    velocity << Mat3::Identity(), -per_length * cross_matrix(positions[node] - center);
+    resistance += velocity.transpose() * (Mat3::Identity() - constraints[node].allowed) * velocity;
+  }
+  const Eigen::SelfAdjointEigenSolver<Motions> eigen(resistance, Eigen::EigenvaluesOnly);
+  return static_cast<int>((eigen.eigenvalues().array() <= kStill).count());
 }
 
 Pivot::Square inverse_inertia_on_axes(const Pivot& pivot, const Mat3& inertia) {

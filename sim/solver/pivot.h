@@ -29,6 +29,10 @@ struct Turning {
 std::optional<Pivot> pivot_of(std::span<const NodeId> supports, std::span<const NodeConstraint> constraints,
                               std::span<const Vec3> positions);
 
+/// Returns the number of independent rigid motions that supports leave free, 0 to 6; moving ones count as still.
+int count_free_motions(std::span<const NodeId> supports, std::span<const NodeConstraint> constraints,
+                       std::span<const Vec3> positions);
+
 /// Returns the inverse of an inertia about the pivot [kg·m²], in terms of the pivot's axes [1/(kg·m²)].
 Pivot::Square inverse_inertia_on_axes(const Pivot& pivot, const Mat3& inertia);
 

@@ -4,6 +4,16 @@
 
 namespace griffith::testing {
 
+/// Without gravity, ground and fracture. `rate`: steps a second.
+inline Scene weightless_scene(double rate) {
+  Scene scene;
+  scene.gravity.setZero();
+  scene.ground.reset();
+  scene.simulation.time_step = 1 / rate;
+  scene.simulation.fracture = false;
+  return scene;
+}
+
 /// Brick with another strength; toughness and strength in proportion, so that `scale` orders the damage.
 inline Material brick(double scale) {
   Material material;

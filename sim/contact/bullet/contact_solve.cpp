@@ -205,10 +205,10 @@ void ContactWorld::Impl::remember_impulses(double dt) {
 
 void ContactWorld::Impl::note_carried() {
   for (Object& object : objects) object.carried = false;
-  for (const Contact& contact : contacts)
-    for (const auto& [one, other] : {std::pair(contact.a, contact.b), std::pair(contact.b, contact.a)})
-      if (objects[one].kind == Kind::ground && !contact.impulse.isZero(0))
-        objects[other].carried = objects[other].mobility == Mobility::kinematic;
+  for (const Contact& contact : contacts) {
+    Object &a = objects[contact.a], &b = objects[contact.b];
+    if (!a.is_free() && !b.is_free() && !contact.impulse.isZero(0)) a.carried = b.carried = true;
+  }
 }
 
 void ContactWorld::Impl::advance(double dt) {

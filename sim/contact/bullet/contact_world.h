@@ -42,7 +42,7 @@ struct alignas(64) Object {
   bool exists = true;       ///< until removed
   bool active = true;       ///< what is not active is looked at only where something active comes near: sleepers, the
                             ///< ground, and what is held and was not just displaced
-  bool carried = false;     ///< held, and the ground pushed it in the last substep
+  bool carried = false;     ///< held, and something held pushed it in the last substep
   double inverse_mass = 0;  ///< 0 when held
   double impact_speed = std::numeric_limits<double>::infinity();  ///< least speed of a damaging impact [m/s]
   double still_time = 0;             ///< time for which it has hardly left its resting place [s]
@@ -217,7 +217,6 @@ struct ContactWorld::Impl : contact::ContactState {
   void update_pairs(std::span<const contact::BoxTree::Item> moved);
   void drop_parted_pairs(const std::vector<bool>& moved);
   void add_pairs_of(const contact::BoxTree::Item& item, std::vector<contact::Pair>& found) const;
-  bool may_meet(const contact::Object& a, const contact::Object& b) const;
   void find_first_pairs();
   int take_manifold();
   void give_back_manifold(int manifold);

@@ -17,12 +17,11 @@ bool pair_less(const Allowance& left, const Allowance& right) {
   return std::tie(left.a, left.b) < std::tie(right.a, right.b);
 }
 
-/// True for the ground under a supported body that is new, has just moved or lies on it. One that stands still
-/// otherwise loads its supports.
-bool is_kinematic_on_ground(const Object& a, const Object& b) {
-  const bool has_ground = a.kind == Kind::ground || b.kind == Kind::ground;
-  const auto may_lie = [](const Object& object) { return object.fresh || object.active || object.carried; };
-  return has_ground && (may_lie(a) || may_lie(b)) && !a.asleep && !b.asleep;
+/// True for two kinematic objects of which one is new, has just moved or is pushed by something kinematic. One that
+/// stands still otherwise loads its supports.
+bool may_push_kinematic(const Object& a, const Object& b) {
+  const auto may_push = [](const Object& object) { return object.fresh || object.active || object.carried; };
+  return (may_push(a) || may_push(b)) && !a.asleep && !b.asleep;
 }
 
 }  // namespace
@@ -98,7 +97,7 @@ void ContactWorld::Impl::list_contacts(double dt) {
     const auto end = std::find_if_not(first, pairs.end(),
                                       [&](const Pair& pair) { return pair.a == first->a && pair.b == first->b; });
     const Object &a = objects[first->a], &b = objects[first->b];
-    if (a.moves() || b.moves() || is_kinematic_on_ground(a, b)) list_pair({first, end}, dt);
+    if (a.moves() || b.moves() || may_push_kinematic(a, b)) list_pair({first, end}, dt);
     first = end;
   }
 }

@@ -46,7 +46,6 @@ double highest_speed(const Flight& flight, double dt) {
 /// Speeds of an object that decide if it may take part in a damaging impact.
 struct Flyer {
   double speed, impact_speed;  ///< upper bound of its points; least one that could damage it [m/s]
-  bool moves;
 };
 
 /// A convex part of an object in flight.
@@ -194,7 +193,7 @@ std::vector<ContactWorld::Encounter> ContactWorld::Impl::expected_impacts(double
   for (const Object& object : objects) {
     const bool flies = object.exists && object.kind != Kind::ground && (object.moves() || !object.is_still());
     const double speed = flies ? highest_speed({course_of(object), object}, dt) : 0;
-    flyers.push_back({speed, object.impact_speed, object.moves()});
+    flyers.push_back({speed, object.impact_speed});
     fastest = std::max(fastest, speed);
     if (object.exists) weakest = std::min(weakest, object.impact_speed);
   }
@@ -203,7 +202,7 @@ std::vector<ContactWorld::Encounter> ContactWorld::Impl::expected_impacts(double
   for_each_near(dt, [&](int first, int second) {
     const Flyer &a = flyers[first], &b = flyers[second];
     const double damage_speed = std::max(rule.minimum_speed, std::min(a.impact_speed, b.impact_speed));
-    if (a.speed + b.speed > damage_speed && (a.moves || b.moves)) near.push_back({first, second});
+    if (a.speed + b.speed > damage_speed) near.push_back({first, second});
   });
   std::ranges::sort(near);
   near.erase(std::unique(near.begin(), near.end()), near.end());

@@ -113,8 +113,8 @@ std::vector<Pair> ContactWorld::Impl::pairs_at_end(const std::vector<EndOfStep>&
       if (ground >= 0 && box.low.y() < ground_height) near.push_back(ordered_pair(i, part, ground, 0));
       tree.for_each(box, [&](const BoxTree::Item& item) {
         const Object& other = objects[item.object];
-        if (item.object != i && other.exists && other.kind != Kind::projectile && may_meet(objects[i], other) &&
-            spheres_meet_at_end(i, item.object) && box_at(other, item.part, ends[item.object].place).meets(box))
+        if (item.object != i && other.exists && other.kind != Kind::projectile && spheres_meet_at_end(i, item.object) &&
+            box_at(other, item.part, ends[item.object].place).meets(box))
           near.push_back(ordered_pair(i, part, item.object, item.part));
       });
     }

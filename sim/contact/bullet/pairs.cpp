@@ -221,12 +221,6 @@ std::vector<BoxTree::Item> ContactWorld::Impl::update_boxes(double dt) {
   return moved;
 }
 
-/// True if two objects may touch. A supported body bends and swings down to the ground, but never touches another
-/// supported one.
-bool ContactWorld::Impl::may_meet(const Object& a, const Object& b) const {
-  return a.is_free() || b.is_free() || a.kind == Kind::ground || b.kind == Kind::ground;
-}
-
 void ContactWorld::Impl::erase_pairs(const std::function<bool(const Pair&)>& gone) {
   std::erase_if(pairs, [&](const Pair& pair) {
     if (!gone(pair)) return false;
@@ -288,7 +282,7 @@ void ContactWorld::Impl::find_first_pairs() {
 void ContactWorld::Impl::add_pairs_of(const BoxTree::Item& item, std::vector<Pair>& found) const {
   const Object& object = objects[item.object];
   const auto add = [&](const BoxTree::Item& other) {
-    if (other.object == item.object || !may_meet(object, objects[other.object])) return;
+    if (other.object == item.object) return;
     const bool first = item.object < other.object;
     const BoxTree::Item &a = first ? item : other, &b = first ? other : item;
     const Pair pair{a.object, b.object, a.part, b.part, -1, 0};

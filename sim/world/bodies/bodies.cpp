@@ -42,7 +42,7 @@ ContactWorld::Proxy proxy_of(const WorldState& world, const Body& body) {
   return {body.collision_parts,
           {body.motion.mass, body.motion.inertia},
           body.supported() ? Mobility::kinematic : Mobility::free,
-          proxy_state(body),
+          proxy_state(world, body),
           {material.friction, material.restitution}};
 }
 
@@ -73,6 +73,14 @@ double weakest_fraction_of(const WorldState& world, const Body& body) {
   for (NodeId node : body.nodes) minimum = std::min(minimum, world.nodes.strength_factors[node]);
   const std::optional<Weakness>& weakness = world.model->weaknesses[body.scene_body];
   return weakness ? weakness->strength_ratio * minimum : minimum;
+}
+
+/// True if supports let a body move as a whole, otherwise than about a pivot.
+bool is_guided(const WorldState& world, const Body& body) {
+  if (!body.supported()) return false;
+  const std::optional<Pivot> pivot = pivot_of(world, body);
+  return count_free_motions(body.system->supports(), world.nodes.constraints, world.nodes.positions) >
+         (pivot ? static_cast<int>(pivot->axes.cols()) : 0);
 }
 
 /// Returns the component that continues as the body itself: a supported one before a free one, then the largest.
@@ -199,6 +207,11 @@ std::optional<Pivot> pivot_of(const WorldState& world, const Body& body) {
   return pivot_of(body.system->supports(), world.nodes.constraints, world.nodes.positions);
 }
 
+bool is_driven(const WorldState& world, const Body& body) {
+  return std::ranges::any_of(body.system->supports(),
+                             [&](NodeId node) { return !world.nodes.constraints[node].velocity.isZero(0); });
+}
+
 RigidMotion motion_of(const WorldState& world, const std::vector<NodeId>& nodes) {
   return rigid_motion(gather(world.nodes.positions, nodes), gather(world.nodes.velocities, nodes),
                       gather(world.nodes.masses, nodes));
@@ -259,6 +272,7 @@ double rebuild_shape(WorldState& world, Body& body) {
   } else {
     body.system.emplace(world.mesh, body.tets, world.nodes.constraints, world.nodes.rows);
   }
+  body.guided = is_guided(world, body);
   body.motion = motion_of(world, body);
   body.reference_arms = gather(world.nodes.positions, body.nodes).colwise() - body.motion.center;
   body.reference_offsets = gather(world.edges.offsets, body.edges);
@@ -301,9 +315,9 @@ void rebuild_body(WorldState& world, Body& body) {
   reshape_proxy(world, body);
 }
 
-RigidState proxy_state(const Body& body) {
+RigidState proxy_state(const WorldState& world, const Body& body) {
   const Pose pose{body.motion.center, body.orientation};
-  if (body.supported()) return {pose, Vec3::Zero(), Vec3::Zero()};
+  if (body.supported() && !body.guided && !is_driven(world, body)) return {pose};
   return {pose, body.motion.velocity, body.motion.angular_velocity};
 }
 

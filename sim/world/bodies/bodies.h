@@ -33,8 +33,8 @@ double depth_of(const WorldState& world, const Body& body);
 /// Rebuilds nodes, surface, system and motion of a body. Writes only data of the body. Returns the energy that it lost
 /// if it becomes rigid [J].
 double rebuild_shape(WorldState& world, Body& body);
-/// Returns the state of a body's proxy. What supports hold stands still for others, however it vibrates.
-RigidState proxy_state(const Body& body);
+/// Returns the state of a body's proxy. What is held stands still for others, however it vibrates.
+RigidState proxy_state(const WorldState& world, const Body& body);
 /// Fits the proxy of a body that becomes rigid or falls asleep to its deformed shape.
 void fit_proxy(WorldState& world, Body& body);
 /// Fits the proxy of a deformable body to its shape if the two differ visibly. The body keeps its orientation.
@@ -47,6 +47,8 @@ RigidMotion motion_of(const WorldState& world, const Body& body);
 RigidMotion motion_of(const WorldState& world, const std::vector<NodeId>& nodes);
 /// Returns the place and axes about which its supports let a body turn, none where they hold it more firmly.
 std::optional<Pivot> pivot_of(const WorldState& world, const Body& body);
+/// True if supports move the body.
+bool is_driven(const WorldState& world, const Body& body);
 /// Takes mass, momentum and orientation of a body from its nodes.
 void update_motion(const WorldState& world, Body& body);
 /// Returns the placement that fits nodes best, weighted by their masses.

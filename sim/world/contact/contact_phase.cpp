@@ -246,7 +246,7 @@ void place_proxies(WorldState& world) {
   for (Body& body : world.bodies) {
     if (body.asleep) continue;
     if (body.is_deformable()) follow_deformation(world, body);
-    world.contact_world.set_state(body.proxy, proxy_state(body));
+    world.contact_world.set_state(body.proxy, proxy_state(world, body));
   }
 }
 

@@ -30,6 +30,16 @@ DeformableInertia deformable_inertia(const WorldState& world, const Body& body, 
 
 namespace {
 
+/// True if an impulse along a unit normal moves a side of a contact.
+bool can_move(const ContactSide& side, const Vec3& normal) {
+  constexpr double kNegligible = 1e-3;  // of the motion of a free node: rounding errors beside a held one
+  if (side.body < 0 || !side.deformable) return side.body >= 0;
+  double motion = 0;
+  for (int i = 0; i < 3; ++i)
+    if (side.point.rows[i] >= 0) motion += normal.dot(side.point.weights[i] * normal);
+  return motion > kNegligible;
+}
+
 /// Builds the problems of all groups.
 class GroupBuilder {
  public:
@@ -54,16 +64,17 @@ class GroupBuilder {
     std::ranges::sort(points_, {}, [](const Point& point) { return std::pair(point.contact, point.touched); });
   }
 
-  ContactGroup build(std::vector<int> contacts) {
+  ContactGroup build(const std::vector<int>& contacts) {
     ContactGroup group;
     double fastest = 0;
     for (const int contact : contacts) fastest = std::max(fastest, speed_to_stop(contact));
     for (const int contact : contacts) {
       const Contact& found = std::as_const(world_.contact_world).contacts()[contact];
       const ContactWorld::Law law = world_.contact_world.law(contact);
-      FrictionContact& row = group.problem.emplace_back();
+      FrictionContact row;
       row.a = side(group, found.a, contact, law.arm_a);
       row.b = side(group, found.b, contact, law.arm_b);
+      if (!can_move(row.a, found.normal) && !can_move(row.b, found.normal)) continue;
       row.axes = law.axes;
       row.friction = law.friction;
       row.target_velocity = target_velocity(found, contact, std::min(0.0, law.target_velocity), fastest);
@@ -71,8 +82,9 @@ class GroupBuilder {
       group.target_velocities.push_back(row.target_velocity);
       row.free_velocity = law.axes.transpose() * law.free_velocity;
       row.impulse = law.guess;
+      group.problem.push_back(row);
+      group.contacts.push_back(contact);
     }
-    group.contacts = std::move(contacts);
     for (const int touched : group.touched) add_bonds(touched, group);
     return group;
   }
@@ -226,8 +238,8 @@ class GroupBuilder {
 std::vector<ContactGroup> build_contact_groups(const WorldState& world, const TouchedBodies& touched, double dt) {
   std::vector<ContactGroup> groups;
   GroupBuilder builder(world, touched, dt);
-  for (std::vector<int>& contacts : world.contact_world.elastic_groups())
-    groups.push_back(builder.build(std::move(contacts)));
+  for (const std::vector<int>& contacts : world.contact_world.elastic_groups())
+    groups.push_back(builder.build(contacts));
   std::ranges::move(builder.build_bonded(), std::back_inserter(groups));
   return groups;
 }

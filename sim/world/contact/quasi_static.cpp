@@ -12,11 +12,6 @@
 namespace griffith {
 namespace {
 
-bool is_driven(const WorldState& world, const Body& body) {
-  return std::ranges::any_of(body.system->supports(),
-                             [&](NodeId node) { return !world.nodes.constraints[node].velocity.isZero(0); });
-}
-
 /// True if a body cannot deform visibly before it breaks: a beam of length l and thickness t that carries a load in its
 /// middle has bent by ε l²/(6 t) where its surface reaches the strain ε. Pieces are seen beside what they broke off.
 bool hardly_deforms(const WorldState& world, const Body& body) {
@@ -118,7 +113,7 @@ void choose_quasi_static_bodies(WorldState& world) {
     const int group = sizes[groups.group[body.proxy]];
     const bool is_costly = group > kLargeGroup || (group > 0 && body.nodes.size() > kLargeBody);
     body.quasi_static = is_costly && !has_bonds[body.id.index()] && reaches_equilibrium(world, body, time_step) &&
-                        hardly_deforms(world, body) && !is_driven(world, body);
+                        hardly_deforms(world, body) && !body.guided && !is_driven(world, body);
   }
 }
 

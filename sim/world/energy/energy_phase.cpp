@@ -369,7 +369,11 @@ ObstacleAccount::ObstacleAccount(const WorldState& world, std::span<const explic
 
 void ObstacleAccount::record(WorldState& world, std::span<const explicit_dynamics::Obstacle> obstacles) const {
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
-    if (!obstacles[i].is_movable() || !std::isfinite(obstacles[i].energy_gained)) continue;
+    if (!std::isfinite(obstacles[i].energy_gained)) continue;
+    if (!obstacles[i].is_movable()) {
+      world.energy.supports -= obstacles[i].energy_gained;  // what drives it does not slow down
+      continue;
+    }
     const Kept after = kept_by(world, obstacles[i]);
     world.energy.regime_change += before_[i].energy + obstacles[i].energy_gained - after.energy;
     world.energy.time_integration += after.mass * world.model->scene.gravity.dot(after.center - before_[i].center);

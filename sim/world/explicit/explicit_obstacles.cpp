@@ -158,13 +158,15 @@ explicit_dynamics::Obstacle obstacle_of(const WorldState& world, const Body& bod
   obstacle.object = body.proxy;
   obstacle.friction = world.material_of(body).friction;
   obstacle.is_soft = deforms_visibly(world, body);
-  obstacle.state = proxy_state(body);
+  obstacle.state = proxy_state(world, body);
   if (!body.supported()) {
     obstacle.inverse_mass = 1 / body.motion.mass;
     const Mat3 back = body.orientation.conjugate().toRotationMatrix();
     obstacle.inverse_inertia = back * body.motion.inertia.inverse() * back.transpose();
   } else if (const std::optional<Pivot> pivot = swinging_pivot_of(world, body)) {
     set_pivot(world, body, *pivot, obstacle);
+  } else if (!is_driven(world, body)) {
+    obstacle.state.velocity = obstacle.state.angular_velocity = Vec3::Zero();
   }
   const std::vector<ConvexPart> parts = parts_about_origin(body, obstacle.center);
   obstacle.radius = radius_of(parts);

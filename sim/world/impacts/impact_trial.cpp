@@ -199,7 +199,8 @@ void Trial::add_obstacle(ProxyId object, const RigidState& state, std::vector<ex
   if (world_.contact_world.is_ground(object)) return add_ground(world_, obstacles);
   if (const BodyId id = world_.body_of(object); id.valid()) {
     obstacles.push_back(obstacle_of(world_, world_.bodies[id], spacing()));
-    if (!world_.bodies[id].supported()) obstacles.back().state = state;
+    const bool follows = !world_.bodies[id].supported() || is_driven(world_, world_.bodies[id]);
+    if (follows) obstacles.back().state = state;
     return;
   }
   for (const Projectile& projectile : world_.projectiles) {
@@ -302,9 +303,9 @@ RigidState flown(RigidState state, const Mat3& inertia, double time) {
 
 }  // namespace
 
-RigidState flown(const Body& body, double time) {
-  const RigidState start = proxy_state(body);
-  if (body.asleep || body.supported()) return {start.pose};
+RigidState flown(const WorldState& world, const Body& body, double time) {
+  const RigidState start = proxy_state(world, body);
+  if (body.asleep) return {start.pose};
   return flown(start, body.motion.inertia, time);
 }
 
@@ -313,7 +314,7 @@ RigidState flown(const WorldState& world, ProxyId object, const RigidState& star
   if (world.contact_world.is_ground(object)) return start;
   if (!id.valid()) return flown(start, Mat3::Identity(), time);  // a ball
   const Body& body = world.bodies[id];
-  return body.asleep || body.supported() ? start : flown(start, body.motion.inertia, time);
+  return body.asleep ? start : flown(start, body.motion.inertia, time);
 }
 
 std::array<RigidState, 2> flown(const WorldState& world, const Impact& impact, const Flights& flights) {

@@ -9,7 +9,7 @@ using Flights = std::array<double, 2>;
 
 /// Returns the state of a body after free flight for a time [s], by its motion as a whole. Sleepers and supported
 /// bodies stay. Gravity is left to the step.
-RigidState flown(const Body& body, double time);
+RigidState flown(const WorldState& world, const Body& body, double time);
 
 /// Returns the states of the two objects of an impact after these flights.
 std::array<RigidState, 2> flown(const WorldState& world, const Impact& impact, const Flights& flights);

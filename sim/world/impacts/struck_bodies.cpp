@@ -46,10 +46,10 @@ bool is_shot(const WorldState& world, const Impact& impact) {
 namespace {
 
 /// True if a body that hits another without damage to itself must deform too: as a rigid one it would hit up to twice
-/// as hard. In a much heavier one, waves spread so far that it hardly deforms.
+/// as hard. In a much heavier one, waves spread so far that it hardly deforms. A guided one would not slow down.
 bool yields_to(const Body& body, const Body& struck) {
   constexpr double kMuchHeavier = 8;
-  return body.motion.mass < kMuchHeavier * struck.motion.mass;
+  return body.motion.mass < kMuchHeavier * struck.motion.mass || body.guided;
 }
 
 /// Finds which bodies an impact could damage. Data of a body are computed once.

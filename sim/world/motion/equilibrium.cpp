@@ -196,6 +196,12 @@ bool has_residual_stress(const WorldState& world, const Body& body) {
   return world.model->scene.bodies[body.scene_body].residual_stress.has_value();
 }
 
+/// True if a body does not start at rest: its scene gives it a velocity, or nothing supports it.
+bool starts_in_motion(const WorldState& world, const Body& body) {
+  const BodyDescription& described = world.model->scene.bodies[body.scene_body];
+  return !body.supported() || !described.velocity.isZero(0) || !described.angular_velocity.isZero(0);
+}
+
 /// Gives a body in equilibrium back the velocities that it starts with.
 void start_in_motion(WorldState& world, Body& body, const std::vector<Vec3>& velocities,
                      const std::vector<Vec3>& of_edges) {
@@ -244,7 +250,7 @@ void find_static_start(WorldState& world, int scene_body, const Monitor& monitor
   const std::vector<Vec3> velocities = world.nodes.velocities, of_edges = world.edges.velocities;
   find_equilibrium(world, 0, 0, concerns, monitor);
   for (Body& body : world.bodies)
-    if (!body.supported() && concerns(body)) start_in_motion(world, body, velocities, of_edges);
+    if (concerns(body) && starts_in_motion(world, body)) start_in_motion(world, body, velocities, of_edges);
 }
 
 }  // namespace griffith

@@ -79,11 +79,12 @@ struct alignas(64) Body {
   double highest_frequency = 0;             ///< [rad/s]; 0 until explicit integration asks for it
   double element_size = 0;                  ///< edge length of the cubes that six of its tets would fill, mean [m]
   bool bonded = false;                      ///< parts of it hold together by bonds of opened faces alone
-  bool bonds_loaded = false;                ///< contacts load its bonds: microsteps follow it from the next substep on
-  double depth = 0;                         ///< volume over surface at rest, half the thickness of a plate [m]
-  double extent = 0;                        ///< longest edge of the box around it at rest [m]
-  double weakest_fraction = 1;              ///< fraction of its material's resistance at its weakest node and plane [-]
-  std::optional<ScaledImpact> scaled;       ///< record of the last step, if any
+  bool guided = false;                 ///< its supports let it move, otherwise than about a pivot: a hammer on rails
+  bool bonds_loaded = false;           ///< contacts load its bonds: microsteps follow it from the next substep on
+  double depth = 0;                    ///< volume over surface at rest, half the thickness of a plate [m]
+  double extent = 0;                   ///< longest edge of the box around it at rest [m]
+  double weakest_fraction = 1;         ///< fraction of its material's resistance at its weakest node and plane [-]
+  std::optional<ScaledImpact> scaled;  ///< record of the last step, if any
   std::vector<ContactLoad> known_contact_loads;  ///< loads on a rigid body when it was found quiescent, by object
   Rest rest;                                     ///< rest of a deformable body
   double explicit_ended =

@@ -3,21 +3,13 @@
 
 #include "sim/world/world.h"
 #include "tests/random_values.h"
+#include "tests/world/scenes.h"
 
 namespace griffith {
 namespace {
 
 using testing::RandomValues;
-
-/// Without gravity, ground and fracture. `rate`: steps a second.
-Scene weightless_scene(double rate) {
-  Scene scene;
-  scene.gravity.setZero();
-  scene.ground.reset();
-  scene.simulation.time_step = 1 / rate;
-  scene.simulation.fracture = false;
-  return scene;
-}
+using testing::weightless_scene;
 
 /// A ball that flies along −z without friction.
 ProjectileBurst frictionless_ball(const Vec3& position, double speed, double mass, double radius) {
