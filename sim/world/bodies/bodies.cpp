@@ -14,6 +14,7 @@
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bonded_pieces.h"
 #include "sim/world/bodies/collision_shape.h"
+#include "sim/world/bodies/supported_motion.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/motion/elastic_phase.h"
 #include "sim/world/motion/motion_phase.h"
@@ -73,14 +74,6 @@ double weakest_fraction_of(const WorldState& world, const Body& body) {
   for (NodeId node : body.nodes) minimum = std::min(minimum, world.nodes.strength_factors[node]);
   const std::optional<Weakness>& weakness = world.model->weaknesses[body.scene_body];
   return weakness ? weakness->strength_ratio * minimum : minimum;
-}
-
-/// True if supports let a body move as a whole, otherwise than about a pivot.
-bool is_guided(const WorldState& world, const Body& body) {
-  if (!body.supported()) return false;
-  const std::optional<Pivot> pivot = pivot_of(world, body);
-  return count_free_motions(body.system->supports(), world.nodes.constraints, world.nodes.positions) >
-         (pivot ? static_cast<int>(pivot->axes.cols()) : 0);
 }
 
 /// Returns the component that continues as the body itself: a supported one before a free one, then the largest.
@@ -201,15 +194,6 @@ void clear_stress(const Body& body, ElementArrays& elements, NodeArrays& nodes) 
     if (!body.edges.empty()) elements.quadratic_states.edit()[tet] = {};
   }
   for (NodeId node : body.nodes) nodes.separations[node] = {};
-}
-
-std::optional<Pivot> pivot_of(const WorldState& world, const Body& body) {
-  return pivot_of(body.system->supports(), world.nodes.constraints, world.nodes.positions);
-}
-
-bool is_driven(const WorldState& world, const Body& body) {
-  return std::ranges::any_of(body.system->supports(),
-                             [&](NodeId node) { return !world.nodes.constraints[node].velocity.isZero(0); });
 }
 
 RigidMotion motion_of(const WorldState& world, const std::vector<NodeId>& nodes) {

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "sim/elasticity/placement.h"
-#include "sim/solver/pivot.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {
@@ -45,10 +44,6 @@ void add_proxies(WorldState& world, std::span<Body> bodies);
 RigidMotion motion_of(const WorldState& world, const Body& body);
 /// Returns that of some nodes, which must not all lie on one line.
 RigidMotion motion_of(const WorldState& world, const std::vector<NodeId>& nodes);
-/// Returns the place and axes about which its supports let a body turn, none where they hold it more firmly.
-std::optional<Pivot> pivot_of(const WorldState& world, const Body& body);
-/// True if supports move the body.
-bool is_driven(const WorldState& world, const Body& body);
 /// Takes mass, momentum and orientation of a body from its nodes.
 void update_motion(const WorldState& world, Body& body);
 /// Returns the placement that fits nodes best, weighted by their masses.

@@ -7,6 +7,7 @@
 #include "sim/core/parallel.h"
 #include "sim/solver/contact_problem.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/bodies/supported_motion.h"
 #include "sim/world/contact/bond_rows.h"
 #include "sim/world/motion/elastic_phase.h"
 #include "sim/world/state/world_state.h"

@@ -8,6 +8,7 @@
 #include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/bodies/effective_law.h"
+#include "sim/world/bodies/supported_motion.h"
 #include "sim/world/contact/bond_rows.h"
 #include "sim/world/motion/elastic_phase.h"
 

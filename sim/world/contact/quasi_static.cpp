@@ -7,6 +7,7 @@
 #include "sim/geometry/disjoint_sets.h"
 #include "sim/world/bodies/acting_bonds.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/bodies/supported_motion.h"
 #include "sim/world/motion/motion_phase.h"
 
 namespace griffith {

@@ -9,6 +9,7 @@
 #include "sim/core/parallel.h"
 #include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/bodies/supported_motion.h"
 #include "sim/world/energy/plastic_work.h"
 #include "sim/world/motion/turning.h"
 #include "sim/world/state/world_state.h"

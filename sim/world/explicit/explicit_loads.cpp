@@ -6,6 +6,7 @@
 #include "sim/core/rotation.h"
 #include "sim/solver/rigid_motion.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/bodies/supported_motion.h"
 #include "sim/world/conditions/supports.h"
 #include "sim/world/explicit/explicit_run.h"
 #include "sim/world/state/world_state.h"

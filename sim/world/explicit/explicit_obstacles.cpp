@@ -8,6 +8,7 @@
 
 #include "sim/core/rotation.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/bodies/supported_motion.h"
 #include "sim/world/motion/elastic_phase.h"
 #include "sim/world/motion/turning.h"
 #include "sim/world/regime/regime_change.h"

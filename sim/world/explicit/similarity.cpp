@@ -12,6 +12,7 @@
 #include "sim/geometry/disjoint_sets.h"
 #include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/bodies/supported_motion.h"
 #include "sim/world/conditions/quick_changes.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/fracture/subdivision.h"

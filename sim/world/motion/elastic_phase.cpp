@@ -13,6 +13,7 @@
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/bodies/effective_law.h"
 #include "sim/world/bodies/quadratic_states.h"
+#include "sim/world/bodies/supported_motion.h"
 #include "sim/world/motion/explicit_integration.h"
 #include "sim/world/motion/motion_phase.h"
 #include "sim/world/motion/turning.h"

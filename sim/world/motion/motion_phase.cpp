@@ -9,6 +9,7 @@
 #include "sim/core/parallel.h"
 #include "sim/core/rotation.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/bodies/supported_motion.h"
 #include "sim/world/contact/contact_phase.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/motion/elastic_phase.h"
