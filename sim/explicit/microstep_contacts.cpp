@@ -242,8 +242,7 @@ void MicrostepContacts::list_pairs(const ExplicitBodies& bodies, std::span<const
 void MicrostepContacts::list_candidates(const ExplicitBodies& bodies, double displacement) {
   margin_ = std::clamp(kMicrostepsOfCandidates * displacement, 0.25 * element_size_, element_size_);
   for (const Obstacle& obstacle : obstacles_)
-    if ((obstacle.is_movable() || !obstacle.is_still()) && std::isfinite(obstacle.radius))
-      margin_ = std::max(margin_, 0.1 * obstacle.radius);
+    if (obstacle.may_move() && std::isfinite(obstacle.radius)) margin_ = std::max(margin_, 0.1 * obstacle.radius);
   catch_up();
   find_edges(bodies);
   const BoxedSurface surface = boxed_surface(bodies);

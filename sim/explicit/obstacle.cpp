@@ -35,7 +35,7 @@ ConvexSolid convex_solid(const ConvexHull& hull, double spacing) {
 }
 
 void Obstacle::push(const Vec3& place, const Vec3& impulse) {
-  if (!is_movable() && is_still()) return;
+  if (!may_move()) return;
   const Vec3 before = velocity_at(place);
   state.velocity += inverse_mass * impulse;
   state.angular_velocity += inverse_inertia_now_ * (place - state.pose.translation).cross(impulse);

@@ -185,8 +185,8 @@ TEST(ProxyContact, HeldObjectsMeetTheGroundAndEachOtherAtFirstAndWhereTheyMove) 
   world.detect();
   EXPECT_TRUE(meet(kinematic[0], ground));
   EXPECT_TRUE(meet(kinematic[0], kinematic[1]));
-  EXPECT_FALSE(meet(kinematic[1], ground));
-  EXPECT_FALSE(meet(kinematic[2], ground));
+  for (const Contact& contact : world.contacts())
+    EXPECT_TRUE(contact.a == kinematic[0] || contact.b == kinematic[0]) << "only what has moved";
 }
 
 TEST(ProxyContact, PushingOverlapsApartLiftsNothingThatRests) {

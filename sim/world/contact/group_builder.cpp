@@ -34,7 +34,7 @@ namespace {
 /// True if an impulse along a unit normal moves a side of a contact.
 bool can_move(const ContactSide& side, const Vec3& normal) {
   constexpr double kNegligible = 1e-3;  // of the motion of a free node: rounding errors beside a held one
-  if (side.body < 0 || !side.deformable) return side.body >= 0;
+  if (!side.deformable) return side.body >= 0;
   double motion = 0;
   for (int i = 0; i < 3; ++i)
     if (side.point.rows[i] >= 0) motion += normal.dot(side.point.weights[i] * normal);

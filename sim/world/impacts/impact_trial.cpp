@@ -304,12 +304,6 @@ RigidState flown(RigidState state, const Mat3& inertia, double time) {
 
 }  // namespace
 
-RigidState flown(const WorldState& world, const Body& body, double time) {
-  const RigidState start = proxy_state(world, body);
-  if (body.asleep) return {start.pose};
-  return flown(start, body.motion.inertia, time);
-}
-
 RigidState flown(const WorldState& world, ProxyId object, const RigidState& start, double time) {
   const BodyId id = world.body_of(object);
   if (world.contact_world.is_ground(object)) return start;

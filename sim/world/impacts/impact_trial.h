@@ -7,13 +7,10 @@ namespace griffith {
 /// Times for which the two objects of an impact fly on until they are as close as predicted [s].
 using Flights = std::array<double, 2>;
 
-/// Returns the state of a body after free flight for a time [s], by its motion as a whole. Sleepers and supported
-/// bodies stay. Gravity is left to the step.
-RigidState flown(const WorldState& world, const Body& body, double time);
-
 /// Returns the states of the two objects of an impact after these flights.
 std::array<RigidState, 2> flown(const WorldState& world, const Impact& impact, const Flights& flights);
-/// Returns the state of an object after free flight for a time [s] from another state.
+/// Returns the state of an object after flight for a time [s] from another state, by its motion as a whole. Sleepers
+/// stay. Gravity is left to the step.
 RigidState flown(const WorldState& world, ProxyId object, const RigidState& start, double time);
 
 /// Returns the expected work of following an impact by microsteps [µs of a typical core].

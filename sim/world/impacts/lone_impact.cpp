@@ -93,7 +93,7 @@ void hand_back(WorldState& world, Body& body, double time) {
 void fly(WorldState& world, Body& body, double time) {
   if (body.asleep || body.supported()) return;
   const double before = energy_in_flight(world, body);
-  place_body(world, body, flown(world, body, time));
+  place_body(world, body, flown(world, body.proxy, proxy_state(world, body), time));
   world.energy.time_integration += before - energy_in_flight(world, body);
 }
 
