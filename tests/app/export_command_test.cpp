@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <regex>
 #include <set>
 #include <sstream>
+#include <string_view>
 
 #include "app/export/bake_json.h"
 #include "app/export/bond_csv.h"
@@ -106,19 +106,23 @@ TEST(Usda, IsBalancedAndNamesEachObjectOnce) {
   const Bake bake = wall_bake(true);
   const std::string text = usda_file(bake);
   std::string open;
-  for (const char c : text) {
-    const std::size_t closing = std::string(")]}").find(c);
-    if (std::string("([{").find(c) != std::string::npos) open += c;
-    if (closing == std::string::npos) continue;
+  constexpr std::string_view kOpening = "([{", kClosing = ")]}";
+  for (std::size_t at = 0; (at = text.find_first_of("()[]{}", at)) != std::string::npos; ++at) {
+    if (kOpening.find(text[at]) != std::string_view::npos) {
+      open += text[at];
+      continue;
+    }
     ASSERT_FALSE(open.empty());
-    ASSERT_EQ(open.back(), "([{"[closing]);
+    ASSERT_EQ(open.back(), kOpening[kClosing.find(text[at])]);
     open.pop_back();
   }
   EXPECT_EQ(open, "");
   std::multiset<std::string> names;
-  const std::regex xform("def Xform \"(\\w+)\"");
-  for (std::sregex_iterator match(text.begin(), text.end(), xform), end; match != end; ++match)
-    names.insert((*match)[1]);
+  constexpr std::string_view kObject = "def Xform \"";
+  for (std::size_t at = 0; (at = text.find(kObject, at)) != std::string::npos;) {
+    at += kObject.size();
+    names.insert(text.substr(at, text.find('"', at) - at));
+  }
   EXPECT_EQ(names.size(), bake.objects.size() + 1);
   for (const BakedObject& object : bake.objects) EXPECT_EQ(names.count(object.name), 1u);
 }

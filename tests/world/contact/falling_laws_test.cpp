@@ -172,7 +172,8 @@ TEST_P(StrikingLaw, ASoftBallOfGreenStrainGainsNoEnergy) {
   soft.tensile_strength = 1080;
   soft.element_model = ElementModel::green_strain;
   World world(ball_at_ground(GetParam(), soft, 2 * GetParam().size, 0));
-  testing::check_energy(world, 0.25 + std::sqrt(GetParam().size));
+  // Its heap of soft shards, which goes on for seconds, costs most: .1 s of it are enough.
+  testing::check_energy(world, 0.1 + std::sqrt(4 * GetParam().size / 9.81));
 }
 
 Material brick_of(ElementModel model) {

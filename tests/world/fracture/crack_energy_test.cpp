@@ -115,17 +115,17 @@ TEST_P(StripCrack, HoldsBelowTheFractureEnergy) {
   EXPECT_EQ(crack_of(strip(0.75, Integrator::hybrid, Analysis::static_)).area, 0);
 }
 
-TEST_P(StripCrack, RunsThroughAboveTheFractureEnergy) {
-  for (const Integrator integrator : {Integrator::hybrid, Integrator::implicit})
-    EXPECT_GT(crack_of(strip(1.6, integrator)).advance, 0.9);
+TEST_P(StripCrack, RunsThroughAboveTheFractureEnergyInEquilibrium) {
   EXPECT_GT(crack_of(strip(1.6, Integrator::hybrid, Analysis::static_)).advance, 0.9);
 }
 
-TEST_P(StripCrack, TakesTheFractureEnergyOfItsArea) {
+TEST_P(StripCrack, RunsThroughAboveTheFractureEnergyAndTakesThatOfItsArea) {
   for (const Integrator integrator : {Integrator::hybrid, Integrator::implicit, Integrator::explicit_})
     for (const double energy : {1.6, 2.0}) {
+      if (integrator == Integrator::explicit_ && energy > 1.6) continue;  // costs as much as all others
       const StripOutcome outcome = crack_of(strip(energy, integrator));
       const double whole = fracture_energy(brittle()) * (kStripLength - kNotch) * kSize;
+      EXPECT_GT(outcome.advance, 0.9) << energy << ", " << static_cast<int>(integrator);
       EXPECT_NEAR(outcome.energy.fracture / whole, 1, 0.01) << energy << ", " << static_cast<int>(integrator);
       EXPECT_LT(std::abs(outcome.energy.contacts), 0.02 * whole) << "the law of bonds agrees with their impulses";
       const double late = integrator == Integrator::explicit_ ? 0.03 : 0;  // its damping is that of half a step before
