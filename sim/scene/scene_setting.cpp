@@ -1,7 +1,10 @@
 #include "sim/scene/scene_setting.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "sim/core/error.h"
 #include "sim/scene/json_document.h"
@@ -16,8 +19,22 @@ std::string scene_pointer(const std::string& text, const std::string& where) {
   return pointer;
 }
 
+namespace {
+
+/// Returns the number that a word such as ".5", "5." or "+5" is, which JSON does not know.
+std::optional<double> number_of(const std::string& word) {
+  const char *begin = word.data() + word.starts_with('+'), *end = word.data() + word.size();
+  double number = 0;
+  const auto [stop, error] = std::from_chars(begin, end, number);
+  return error == std::errc() && stop == end && std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+}  // namespace
+
 std::string setting_value(const std::string& word) {
   const Json value = Json::parse(word, nullptr, false);
+  if (value.is_discarded())
+    if (const std::optional<double> number = number_of(word)) return Json(*number).dump();
   if (value.is_discarded()) return Json(word).dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string line = word;  // line breaks between JSON's values are mere blanks
   std::ranges::replace_if(

@@ -17,7 +17,8 @@ struct SceneSetting {
 /// Throws InputError, which names `where`, if the text is not a pointer.
 std::string scene_pointer(const std::string& text, const std::string& where);
 
-/// Returns the JSON text of a user's word: the word itself if it is JSON, else a string of it (glass, "glass").
+/// Returns the JSON text of a user's word: the word itself if it is JSON, a number written otherwise (.5, +5), else a
+/// string of it (glass, "glass").
 std::string setting_value(const std::string& word);
 
 /// Returns the word that setting_value() turns into `value`.

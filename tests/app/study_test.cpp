@@ -282,6 +282,14 @@ TEST(RunRequest, ASettingIsOneLineOfTheShellWhateverItsJson) {
   EXPECT_EQ(setting_value("a\nb"), "\"a\\nb\"");
 }
 
+TEST(RunRequest, ASettingIsANumberAsPeopleWriteIt) {
+  EXPECT_EQ(setting_value(".5"), "0.5");
+  EXPECT_EQ(setting_value("-.5e3"), "-500.0");
+  EXPECT_EQ(setting_value("+5."), "5.0");
+  for (const char* word : {"inf", "nan", ".", "5.m", "+", "1..2"})
+    EXPECT_EQ(setting_value(word), "\"" + std::string(word) + "\"");
+}
+
 TEST(RunRecord, ComesBackAsItWas) {
   Outcomes outcomes(outcome_kinds().size(), 1.0 / 3);
   outcomes[outcome_index("breaking_time", "")] = kNever;
