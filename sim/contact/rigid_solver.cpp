@@ -202,6 +202,16 @@ class GroupStep {
     return done;
   }
 
+  /// True if two bodies that parted within the step would overlap by the velocities of their centers at its end alone:
+  /// what gravity brings back arrives in the next step.
+  bool comes_back(const Block& block, const Point& point) const {
+    const Motion &a = motions_[block.a], &b = motions_[block.b];
+    double parting = point.driven;
+    if (a.moves) parting += dot(block.normal, a.velocity);
+    if (b.moves) parting -= dot(block.normal, b.velocity);
+    return point.distance >= 0 && point.distance + dt_ * parting < 0;
+  }
+
   void finish() {
     for (const Block& block : rows_.blocks)
       for (int i = block.begin; i < block.end; ++i) {
@@ -210,7 +220,7 @@ class GroupStep {
         contacts_[point.contact].impulse = along_axes(block, point.total).vector();
         contacts_[point.contact].couple = point.couple.vector();
         contacts_[point.contact].force = along_axes(block, point.force).vector() / h_;
-        if (!(point.total.x > 0) && !(point.pushed > 0)) continue;
+        if (!(point.total.x > 0) && !(point.pushed > 0) && !comes_back(block, point)) continue;
         for (const int side : {block.a, block.b})
           if (motions_[side].moves) bodies_[side].touched = true;
       }

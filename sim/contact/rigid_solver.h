@@ -17,7 +17,7 @@ struct RigidBody {
   Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();  ///< at the start, then at the end [m/s], [rad/s]
   Vec3 acceleration = Vec3::Zero(), turning = Vec3::Zero();   ///< change by all but contacts [m/s²], [rad/s²]
   Vec3 displacement = Vec3::Zero(), rotation = Vec3::Zero();  ///< found: by its velocities in the step [m], [rad]
-  bool touched = false;                                       ///< found: whether any contact pushed it
+  bool touched = false;                                       ///< found: a contact pushed it, or is about to
   Vec3 push = Vec3::Zero(), push_rotation = Vec3::Zero();     ///< found: out of overlaps [m], [rad]
 };
 
