@@ -36,6 +36,7 @@ ConvexSolid convex_solid(const ConvexHull& hull, double spacing) {
 
 void Obstacle::push(const Vec3& place, const Vec3& impulse) {
   if (!may_move()) return;
+  was_pushed = true;
   const Vec3 before = velocity_at(place);
   state.velocity += inverse_mass * impulse;
   state.angular_velocity += inverse_inertia_now_ * (place - state.pose.translation).cross(impulse);
@@ -44,6 +45,7 @@ void Obstacle::push(const Vec3& place, const Vec3& impulse) {
 
 void Obstacle::shift(const Vec3& place, const Vec3& impulse, double time) {
   if (!is_movable()) return;
+  was_pushed = true;
   const Vec3 turn = time * (inverse_inertia_now_ * (place - state.pose.translation).cross(impulse));
   state.pose.translation += time * inverse_mass * impulse;
   if (!is_sphere()) state.pose.rotation = (Quat(rotation_by(turn)) * state.pose.rotation).normalized();

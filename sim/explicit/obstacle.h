@@ -46,6 +46,7 @@ struct Obstacle {
   double friction = 0.6;
   int family = -1;           ///< see SurfaceLaw; it does not touch bodies of its own family
   bool is_soft = false;      ///< deforms visibly: the ground does not stop all of it at once
+  bool was_pushed = false;   ///< an impulse has changed its motion
   double energy_gained = 0;  ///< work of impulses at the mean of its velocities before and after [J]
 
   bool is_sphere() const { return solids.empty(); }
