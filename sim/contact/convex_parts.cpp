@@ -17,8 +17,6 @@
 namespace griffith {
 namespace {
 
-/// Largest number of corners: more cost time at every contact without a visible effect.
-constexpr int kMaxCorners = 42;
 /// Fraction of the body's volume below which a part is not halved: it limits the number of parts.
 constexpr double kSmallestFraction = 1.0 / 32;
 
@@ -26,6 +24,7 @@ constexpr double kSmallestFraction = 1.0 / 32;
 struct Body {
   std::span<const Vec3> points, rest_points;
   double fill;
+  int max_corners;  ///< largest number of corners of a part
   std::vector<int> corners = {};
   std::vector<std::size_t> first = {0};  ///< per piece, and the end
   std::vector<double> volumes = {};
@@ -56,10 +55,10 @@ std::vector<Vec3> used_points(const Body& body, std::span<const int> pieces, std
   return points;
 }
 
-/// Keeps the points that are extreme in `kMaxCorners` directions, spread evenly over the sphere and stretched with
-/// the part so that thin parts keep their edges.
-std::vector<Vec3> extreme_points(const std::vector<Vec3>& points) {
-  if (points.size() <= kMaxCorners) return points;
+/// Keeps the points that are extreme in `count` directions, spread evenly over the sphere and stretched with the part
+/// so that thin parts keep their edges.
+std::vector<Vec3> extreme_points(const std::vector<Vec3>& points, int count) {
+  if (points.size() <= static_cast<std::size_t>(count)) return points;
   Vec3 minimum = points[0], maximum = points[0];
   for (const Vec3& point : points) {
     minimum = minimum.cwiseMin(point);
@@ -67,8 +66,8 @@ std::vector<Vec3> extreme_points(const std::vector<Vec3>& points) {
   }
   const Vec3 scale = (maximum - minimum).cwiseMax(1e-9).cwiseInverse();
   std::vector<bool> kept(points.size(), false);
-  for (int i = 0; i < kMaxCorners; ++i) {
-    const double z = 1 - (2 * i + 1.0) / kMaxCorners;
+  for (int i = 0; i < count; ++i) {
+    const double z = 1 - (2 * i + 1.0) / count;
     const double angle = i * std::numbers::pi * (3 - std::sqrt(5.0));
     const Vec3 direction =
         Vec3(std::sqrt(1 - z * z) * std::cos(angle), std::sqrt(1 - z * z) * std::sin(angle), z).cwiseProduct(scale);
@@ -105,7 +104,7 @@ bool are_one_part(const Body& body, std::span<const int> pieces, const std::vect
   double volume = 0;
   for (int piece : pieces) volume += body.volumes[piece];
   return volume < kSmallestFraction * body.volume ||
-         volume >= (body.fill - 1e-9) * convex_hull(extreme_points(points)).volume;
+         volume >= (body.fill - 1e-9) * convex_hull(extreme_points(points, body.max_corners)).volume;
 }
 
 /// Returns the parts of some pieces, whose order it changes.
@@ -115,7 +114,7 @@ std::vector<ConvexPart> parts_of(const Body& body, std::span<int> pieces) {
   if (rest_points.size() <= kTetCorners || are_one_part(body, pieces, rest_points)) {
     const std::vector<Vec3> points = used_points(body, pieces, body.points);
     if (points.size() <= kTetCorners) return {points};
-    return {convex_hull(extreme_points(points)).corners};
+    return {convex_hull(extreme_points(points, body.max_corners)).corners};
   }
   const std::size_t half = halve(body, pieces, rest_points);
   std::array<std::vector<ConvexPart>, 2> parts;
@@ -134,7 +133,7 @@ std::vector<ConvexPart> parts_of(const Body& body) {
 
 /// Returns the parts of a few tets: clusters that are convex up to a small fraction of the body's extent at rest.
 std::vector<ConvexPart> clustered_parts(std::span<const Vec3> points, std::span<const Vec3> rest_points,
-                                        std::span<const std::array<int, 4>> tets) {
+                                        std::span<const std::array<int, 4>> tets, int max_corners) {
   constexpr double kConcavity = 0.005;
   Eigen::AlignedBox3d box;
   for (const Vec3& point : rest_points) box.extend(point);
@@ -145,7 +144,7 @@ std::vector<ConvexPart> clustered_parts(std::span<const Vec3> points, std::span<
     sort_unique(corners);
     ConvexPart& part = parts.emplace_back();
     for (const int corner : corners) part.push_back(points[corner]);
-    if (cluster.size() > 1) part = convex_hull(extreme_points(part)).corners;
+    if (cluster.size() > 1) part = convex_hull(extreme_points(part, max_corners)).corners;
   }
   return parts;
 }
@@ -159,19 +158,20 @@ double tet_volume(std::span<const Vec3> points, const std::array<int, 4>& tet) {
 }  // namespace
 
 std::vector<ConvexPart> convex_parts(std::span<const Vec3> points, std::span<const Vec3> rest_points,
-                                     std::span<const std::array<int, 4>> tets, double fill) {
+                                     std::span<const std::array<int, 4>> tets, double fill, int max_corners) {
   constexpr std::size_t kFew = 64;
   assert(fill > 0 && fill <= 1 && points.size() == rest_points.size());
-  if (tets.size() <= kFew) return clustered_parts(points, rest_points, tets);
-  Body body = {points, rest_points, fill};
+  if (tets.size() <= kFew) return clustered_parts(points, rest_points, tets, max_corners);
+  Body body = {points, rest_points, fill, max_corners};
   for (const auto& tet : tets) body.add(tet, tet_volume(rest_points, tet));
   return parts_of(body);
 }
 
 std::vector<ConvexPart> convex_parts(std::span<const Vec3> points, std::span<const Vec3> rest_points,
                                      std::span<const ConvexPiece> pieces, double fill) {
+  constexpr int kMaxCorners = 42;
   assert(fill > 0 && fill <= 1 && points.size() == rest_points.size());
-  Body body = {points, rest_points, fill};
+  Body body = {points, rest_points, fill, kMaxCorners};
   for (const ConvexPiece& piece : pieces) body.add(piece.corners, piece.volume);
   return parts_of(body);
 }

@@ -82,10 +82,17 @@ bool is_bent(const WorldState& world, const Body& body) {
   return is_bent_by(world, body, bending_tolerance(body)) && !is_strained_by(world, body, kFarStrained);
 }
 
+/// True if a body is not a piece of one that was divided.
+bool is_undivided(const WorldState& world, const Body& body) {
+  return std::ranges::count(world.bodies, body.scene_body, &Body::scene_body) <= 1;
+}
+
 /// Returns the convex parts of a body's tets. A bent body is divided as it is, another one as at rest, so that its
 /// parts stay the same.
 std::vector<ConvexPart> tet_parts(const WorldState& world, const Body& body) {
-  if (!is_bent(world, body)) return tet_parts(world.mesh, world.nodes.positions, body.tets, body.motion.center);
+  if (!is_bent(world, body))
+    return tet_parts(world.mesh, world.nodes.positions, body.tets, body.motion.center,
+                     is_undivided(world, body) ? kCornersOfUndivided : kCornersOfPieces);
   const LocalTets local(world.mesh, body.tets);
   const Mat3 back = placement_of(world, body.nodes).turn.transpose();
   const std::vector<Vec3> points = relative_to(local.points(world.nodes.positions), body.motion.center);
@@ -97,9 +104,11 @@ std::vector<ConvexPart> tet_parts(const WorldState& world, const Body& body) {
 }  // namespace
 
 std::vector<ConvexPart> tet_parts(const TetMesh& mesh, std::span<const Vec3> positions, std::span<const TetId> tets,
-                                  const Vec3& center) {
+                                  const Vec3& center, int max_corners) {
+  constexpr double kFill = 0.97;
   const LocalTets local(mesh, tets);
-  return convex_parts(relative_to(local.points(positions), center), local.points(mesh.rest_positions), local.corners);
+  return convex_parts(relative_to(local.points(positions), center), local.points(mesh.rest_positions), local.corners,
+                      kFill, max_corners);
 }
 
 bool is_bent_by(const WorldState& world, const Body& body, double distance) {

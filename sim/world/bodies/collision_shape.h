@@ -9,9 +9,16 @@
 
 namespace griffith {
 
-/// Returns the convex parts of tets of a mesh (ascending), with its nodes at `positions`, relative to `center` [m].
+/// Largest number of corners of a convex part of an undivided body. What is round rolls, and meets others where its
+/// surface is: that of a ball of 162 corners lies within a fiftieth of its radius.
+inline constexpr int kCornersOfUndivided = 162;
+/// The same for pieces, which are jagged: more corners would cost time at every contact without a visible effect.
+inline constexpr int kCornersOfPieces = 42;
+
+/// Returns the convex parts of tets of a mesh (ascending), with its nodes at `positions`, relative to `center` [m], of
+/// at most `max_corners` each.
 std::vector<ConvexPart> tet_parts(const TetMesh& mesh, std::span<const Vec3> positions, std::span<const TetId> tets,
-                                  const Vec3& center);
+                                  const Vec3& center, int max_corners);
 
 /// True if a thin body is bent: a node is farther than `distance` [m] from where the shape at rest has it.
 bool is_bent_by(const WorldState& world, const Body& body, double distance);

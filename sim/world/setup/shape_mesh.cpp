@@ -87,8 +87,8 @@ ShapeMesh make_mesh(const Scene& scene, const Shape& shape, const InMemoryMeshes
   }
   made.pieces = connected_components(made.mesh);
   if (made.pieces.size() == 1)
-    made.convex_parts =
-        tet_parts(made.mesh, made.mesh.rest_positions, made.pieces.front(), center_of_mass(made.mesh, report.volume));
+    made.convex_parts = tet_parts(made.mesh, made.mesh.rest_positions, made.pieces.front(),
+                                  center_of_mass(made.mesh, report.volume), kCornersOfUndivided);
   if (report.coincident_nodes > 0) made.slit_tips = slit_tips(made.mesh);
   made.point_of_node = std::move(report.point_of_node);
   return made;
