@@ -180,14 +180,15 @@ double ContactWorld::Impl::closing_speed(const Pair& pair, const Contact& contac
 }
 
 /// Returns `near` for a gap that is small or closes within `dt` [s]. Approaches that could cause damage are left out:
-/// the owner predicts these itself.
+/// the owner predicts these itself, and sweeps what moves freely.
 ContactWorld::Impl::Nearness ContactWorld::Impl::nearness_of(const Pair& pair, const Contact& contact,
                                                              double dt) const {
   const Object &a = objects[pair.a], &b = objects[pair.b];
   if (contact.distance < reach(a, b, 0)) return Nearness::near;
   const double speed = closing_speed(pair, contact);
   if (contact.distance >= dt * with_fall(speed, dt)) return Nearness::away;
-  return speed < std::min(a.impact_speed, b.impact_speed) ? Nearness::near : Nearness::left_out;
+  const bool is_swept = a.moves() || b.moves();
+  return !is_swept || speed < std::min(a.impact_speed, b.impact_speed) ? Nearness::near : Nearness::left_out;
 }
 
 void ContactWorld::Impl::replace_contacts(const std::vector<bool>& taken_out, std::span<const Contact> put_in) {

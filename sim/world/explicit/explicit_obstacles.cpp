@@ -79,7 +79,7 @@ void add_bodies(const WorldState& world, const Surroundings& near, double durati
     const double radius = radius_of(body.collision_parts),
                  speed = body.motion.velocity.norm() + radius * body.motion.angular_velocity.norm();
     if (!near.may_meet(body.motion.center, radius + duration * speed, body.scene_body)) continue;
-    obstacles.push_back(obstacle_of(world, body, near.element_size));
+    obstacles.push_back(obstacle_of(world, body, proxy_state(world, body), near.element_size));
     obstacles.back().family = body.scene_body;  // pieces of one body touch as rigid ones afterwards
   }
 }
@@ -99,11 +99,13 @@ std::optional<Pivot> swinging_pivot_of(const WorldState& world, const Body& body
 
 /// Lets an obstacle swing about the pivot of its body.
 void set_pivot(const WorldState& world, const Body& body, const Pivot& pivot, explicit_dynamics::Obstacle& obstacle) {
-  const Turning turning = turning_of(world, body, pivot);
-  const Pivot::Axes axes = body.orientation.conjugate().toRotationMatrix() * pivot.axes;
-  obstacle.state = {{pivot.place, body.orientation}, Vec3::Zero(), turning.spin};
-  obstacle.center = obstacle.state.pose.to_local(body.motion.center);
-  obstacle.inverse_inertia = axes * inverse_inertia_on_axes(pivot, turning.inertia) * axes.transpose();
+  const Mat3 back = body.orientation.conjugate().toRotationMatrix();
+  const Pivot::Axes axes = back * pivot.axes;
+  obstacle.state.pose.translation = pivot.place;
+  obstacle.state.velocity.setZero();
+  obstacle.center = back * (body.motion.center - pivot.place);
+  obstacle.inverse_inertia =
+      axes * inverse_inertia_on_axes(pivot, turning_of(world, body, pivot).inertia) * axes.transpose();
 }
 
 /// Swings a body about its pivot to the state of its obstacle.
@@ -154,12 +156,13 @@ explicit_dynamics::Obstacle obstacle_of(const WorldState& world, const Projectil
   return obstacle;
 }
 
-explicit_dynamics::Obstacle obstacle_of(const WorldState& world, const Body& body, double spacing) {
+explicit_dynamics::Obstacle obstacle_of(const WorldState& world, const Body& body, const RigidState& state,
+                                        double spacing) {
   explicit_dynamics::Obstacle obstacle;
   obstacle.object = body.proxy;
   obstacle.friction = world.material_of(body).friction;
   obstacle.is_soft = deforms_visibly(world, body);
-  obstacle.state = proxy_state(world, body);
+  obstacle.state = state;
   if (!body.supported()) {
     obstacle.inverse_mass = 1 / body.motion.mass;
     const Mat3 back = body.orientation.conjugate().toRotationMatrix();
@@ -167,7 +170,7 @@ explicit_dynamics::Obstacle obstacle_of(const WorldState& world, const Body& bod
   } else if (const std::optional<Pivot> pivot = swinging_pivot_of(world, body)) {
     set_pivot(world, body, *pivot, obstacle);
   } else if (!is_driven(world, body)) {
-    obstacle.state.velocity = obstacle.state.angular_velocity = Vec3::Zero();
+    obstacle.state = {{body.motion.center, body.orientation}};
   }
   const std::vector<ConvexPart> parts = parts_about_origin(body, obstacle.center);
   obstacle.radius = radius_of(parts);
@@ -210,6 +213,7 @@ void place_body(WorldState& world, Body& body, const RigidState& state) {
 void place_obstacle(WorldState& world, const explicit_dynamics::Obstacle& obstacle) {
   const RigidState& state = obstacle.state;
   if (!obstacle.object.valid() || !obstacle.is_movable()) return;
+  if (!obstacle.was_pushed) return;  // the substep has moved it, among contacts that microsteps do not know
   if (!state.pose.translation.allFinite() || !state.velocity.allFinite() || !state.angular_velocity.allFinite()) return;
   const BodyId id = world.body_of(obstacle.object);
   if (obstacle.inverse_mass == 0) return swing_body(world, world.bodies[id], state);

@@ -12,8 +12,10 @@ std::vector<explicit_dynamics::Obstacle> reachable_obstacles(const WorldState& w
 
 /// Adds the ground, if there is one, as an obstacle.
 void add_ground(const WorldState& world, std::vector<explicit_dynamics::Obstacle>& obstacles);
-/// Returns the obstacle for a body that keeps its shape. `spacing`: largest distance of the points along its edges [m].
-explicit_dynamics::Obstacle obstacle_of(const WorldState& world, const Body& body, double spacing);
+/// Returns the obstacle for a body that keeps its shape, with this motion of its center of mass as far as its supports
+/// let it. `spacing`: largest distance of the points along its edges [m].
+explicit_dynamics::Obstacle obstacle_of(const WorldState& world, const Body& body, const RigidState& state,
+                                        double spacing);
 explicit_dynamics::Obstacle obstacle_of(const WorldState& world, const Projectile& projectile, double spacing);
 
 /// Sets the velocities of obstacles to the present ones of their objects, before the microsteps.

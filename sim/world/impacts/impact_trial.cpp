@@ -199,9 +199,7 @@ void Trial::add_surface(const Body& body) {
 void Trial::add_obstacle(ProxyId object, const RigidState& state, std::vector<explicit_dynamics::Obstacle>& obstacles) {
   if (world_.contact_world.is_ground(object)) return add_ground(world_, obstacles);
   if (const BodyId id = world_.body_of(object); id.valid()) {
-    obstacles.push_back(obstacle_of(world_, world_.bodies[id], spacing()));
-    const bool follows = !world_.bodies[id].supported() || is_driven(world_, world_.bodies[id]);
-    if (follows) obstacles.back().state = state;
+    obstacles.push_back(obstacle_of(world_, world_.bodies[id], state, spacing()));
     return;
   }
   for (const Projectile& projectile : world_.projectiles) {

@@ -74,7 +74,8 @@ std::vector<explicit_dynamics::Obstacle> obstacles_of(const WorldState& world, c
   add_ground(world, obstacles);
   for (int i = 0; i < 2; ++i)
     if (!impact.deforms[i] && impact.bodies[i].valid())
-      obstacles.push_back(obstacle_of(world, world.bodies[impact.bodies[i]], spacing));
+      obstacles.push_back(
+          obstacle_of(world, world.bodies[impact.bodies[i]], world.contact_world.state(impact.objects()[i]), spacing));
   return obstacles;
 }
 

@@ -115,6 +115,37 @@ TEST(SupportedPairs, AHammerOnRailsGoesThroughAPaneAtAnyStep) {
   }
 }
 
+/// A bar of steel on a hinge, whose free end comes down on a block of granite at `speed` [m/s].
+Scene hinged_hammer(double rate, double speed, bool is_held) {
+  Scene scene = weightless_scene(rate);
+  scene.simulation.fracture = true;
+  scene.bodies = {box("hammer", Vec3(0.1, 0.1, 1.2), Vec3(0, 0.2, -0.5), preset("mild_steel"), Vec3::Constant(0.05)),
+                  box("block", Vec3(0.1, 0.08, 0.1), Vec3(0, 0.09, 0), preset("granite"), Vec3::Constant(0.04))};
+  scene.bodies[0].supports = {
+      {.region = BoxRegion{Vec3(-1, -1e-3, -0.5001), Vec3(1, 1e-3, -0.4999)}, .can_tear = false}};
+  scene.bodies[0].angular_velocity = Vec3(speed, 0, 0);
+  scene.bodies[0].velocity = Vec3(0, -0.5 * speed, 0);
+  if (is_held) scene.bodies[1].supports = {held(HalfSpaceRegion{Vec3(0, -0.04, 0), -Vec3::UnitY()})};
+  return scene;
+}
+
+// The hammer keeps its speed but for what a block of 2 kg takes from 31 kg at its end, and breaks it.
+TEST(SupportedPairs, AHingedHammerStrikesAtAnyStep) {
+  for (const bool is_held : {false, true})
+    for (const double speed : {4.0, 6.0})
+      for (const double rate : {30.0, 60.0, 250.0}) {
+        World world(hinged_hammer(rate, speed, is_held));
+        const double energy = world.frame().totals.kinetic_energy;
+        testing::run_to(world, 2.0 / 30);
+        const auto at = ::testing::Message() << is_held << ", " << speed << " m/s, 1/" << rate;
+        EXPECT_GT(world.frame().bodies.size(), is_held || speed > 4 ? 4u : 1u) << at;
+        const double left = world.frame().totals.kinetic_energy / energy;
+        EXPECT_LT(left, is_held ? 0.8 : 1) << at;
+        EXPECT_GT(left, is_held ? 0 : 0.85) << at;
+        EXPECT_LT(testing::fraction_unaccounted(world.frame().energy), 0.01) << at;
+      }
+}
+
 // Neighbors whose feet are held side by side, touching or 4 mm inside one another, press on nothing.
 TEST(SupportedPairs, NeighborsStandStill) {
   for (const double distance : {0.3, 0.296}) {
