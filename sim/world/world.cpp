@@ -6,6 +6,7 @@
 
 #include "sim/core/hash_bytes.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/bodies/impact_speeds.h"
 #include "sim/world/conditions/grab.h"
 #include "sim/world/conditions/projectiles.h"
 #include "sim/world/conditions/push.h"
@@ -57,7 +58,7 @@ bool differ_in_resistance_alone(Material a, const Material& b) {
 void change_resistance(WorldState& world, int scene_body) {
   for (const Body& body : world.bodies)
     if (body.scene_body == scene_body)
-      world.contact_world.set_impact_speed(body.proxy, harmful_impact_speed(world, body));
+      world.contact_world.set_impact_speed(body.proxy, examined_impact_speed(world, body));
 }
 
 /// Restores the undeformed shape before the first step, from which the static start is found.

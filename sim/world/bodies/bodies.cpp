@@ -14,10 +14,12 @@
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bonded_pieces.h"
 #include "sim/world/bodies/collision_shape.h"
+#include "sim/world/bodies/impact_speeds.h"
 #include "sim/world/bodies/supported_motion.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/motion/elastic_phase.h"
 #include "sim/world/motion/motion_phase.h"
+#include "sim/world/motion/turning.h"
 #include "sim/world/state/world_state.h"
 
 namespace griffith {
@@ -50,7 +52,7 @@ ContactWorld::Proxy proxy_of(const WorldState& world, const Body& body) {
 void reshape_proxy(WorldState& world, const Body& body) {
   const auto [parts, mass, mobility, state, surface] = proxy_of(world, body);
   world.contact_world.reshape(body.proxy, parts, mass, mobility, state);
-  world.contact_world.set_impact_speed(body.proxy, harmful_impact_speed(world, body));
+  world.contact_world.set_impact_speed(body.proxy, examined_impact_speed(world, body));
 }
 
 /// Returns the longest edge of the box around the body at rest [m].
@@ -123,14 +125,6 @@ bool all_slower(const WorldState& world, const Body& body, const RigidMotion& wh
   return std::ranges::all_of(body.nodes, [&](NodeId node) {
     return (world.nodes.velocities[node] - whole.velocity_at(world.nodes.positions[node])).norm() < speed;
   });
-}
-
-double harmful_impact_speed(const WorldState& world, const Body& body) {
-  constexpr std::size_t kCell = 6;  // tets
-  constexpr double kOfOneCell = 3;  // damage speeds
-  const auto is_front = [&](NodeId node) { return world.nodes.at_crack_front[node] != 0; };
-  const bool is_cell = body.tets.size() <= kCell && std::ranges::none_of(body.nodes, is_front);
-  return (is_cell ? kOfOneCell : 1) * damage_speed(world, body);
 }
 
 double min_breaking_stress(const WorldState& world, const Body& body, bool at_crack_front) {
@@ -289,7 +283,7 @@ void add_proxies(WorldState& world, std::span<Body> bodies) {
   for (std::size_t i = 0; i < ids.size(); ++i) {
     bodies[i].proxy = ids[i];
     world.body_of_proxy[ids[i]] = bodies[i].id;
-    world.contact_world.set_impact_speed(ids[i], harmful_impact_speed(world, bodies[i]));
+    world.contact_world.set_impact_speed(ids[i], examined_impact_speed(world, bodies[i]));
   }
 }
 
@@ -301,8 +295,12 @@ void rebuild_body(WorldState& world, Body& body) {
 
 RigidState proxy_state(const WorldState& world, const Body& body) {
   const Pose pose{body.motion.center, body.orientation};
-  if (body.supported() && !body.guided && !is_driven(world, body)) return {pose};
-  return {pose, body.motion.velocity, body.motion.angular_velocity};
+  if (!body.supported() || body.guided || is_driven(world, body))
+    return {pose, body.motion.velocity, body.motion.angular_velocity};
+  const std::optional<Pivot> pivot = pivot_of(world, body);
+  if (!pivot) return {pose};  // it vibrates at most
+  const Vec3 spin = turning_of(world, body, *pivot).spin;
+  return {pose, spin.cross(body.motion.center - pivot->place), spin};
 }
 
 double shape_tolerance(const Body& body) {

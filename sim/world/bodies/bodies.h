@@ -80,10 +80,6 @@ double damage_speed(const WorldState& world, const Body& body);
 double visible_speed(const WorldState& world, const Body& body);
 /// True if all nodes of a body move slower than `speed` [m/s] relative to a motion of the whole.
 bool all_slower(const WorldState& world, const Body& body, const RigidMotion& whole, double speed);
-/// Returns the least speed of an impact that must be examined [m/s]. It is larger for a body of one cell without
-/// cracks, in which no wave returns as tension before it has spread: of 2,500 random ones none broke below 2.2
-/// σ_t/(ρc), while finer meshes do from 0.77 on.
-double harmful_impact_speed(const WorldState& world, const Body& body);
 
 /// Adds the velocities that a spin [rad/s] of the whole body gives its edges.
 void add_spin_to_edges(const Body& body, const Vec3& spin, EdgeArrays& edges);

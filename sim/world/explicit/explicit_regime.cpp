@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/bodies/impact_speeds.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/explicit/body_frequency.h"
 #include "sim/world/explicit/explicit_obstacles.h"
@@ -65,7 +66,7 @@ void end_explicit(WorldState& world, Body& body) {
   body.explicit_state.reset();
   body.explicit_ended = world.time;
   body.depth = depth_of(world, body);
-  world.contact_world.set_impact_speed(body.proxy, harmful_impact_speed(world, body));  // cracks may have begun in it
+  world.contact_world.set_impact_speed(body.proxy, examined_impact_speed(world, body));  // cracks may have begun in it
 }
 
 bool run_explicit(WorldState& world, std::vector<explicit_dynamics::Obstacle> obstacles, double duration,

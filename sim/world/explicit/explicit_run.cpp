@@ -9,6 +9,7 @@
 #include "sim/world/bodies/bonded_pieces.h"
 #include "sim/world/bodies/effective_law.h"
 #include "sim/world/bodies/expected_impacts.h"
+#include "sim/world/bodies/impact_speeds.h"
 #include "sim/world/contact/contact_phase.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/explicit/body_frequency.h"
@@ -49,7 +50,8 @@ void ExplicitRun::build(std::vector<explicit_dynamics::Obstacle> obstacles) {
     if (rebuild_) limit_frequency(world_, body);  // cuts have made other elements
     add_body(body, external);
     size += body.element_size;
-    min_speed_ = std::min(min_speed_, std::max(damage_speed(world_, body), min_impact_speed(world_)));
+    const double speed = std::min(damage_speed(world_, body), rebound_speed(world_, body));
+    min_speed_ = std::min(min_speed_, std::max(speed, min_impact_speed(world_)));
   }
   size /= static_cast<double>(bodies_.size());
   explicit_bodies_.finish();

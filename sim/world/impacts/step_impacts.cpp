@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/core/parallel.h"
+#include "sim/world/bodies/impact_speeds.h"
 #include "sim/world/conditions/loads.h"
 #include "sim/world/contact/contact_phase.h"
 #include "sim/world/explicit/similarity.h"
@@ -26,13 +27,17 @@ bool are_of_one_body(const WorldState& world, const Impact& impact) {
   return a.valid() && b.valid() && world.bodies[a].scene_body == world.bodies[b].scene_body;
 }
 
-/// True if the waves of an impact end within a small part of a step: in short steps they are visible.
+/// True if the waves of an impact end within a small part of a step.
 bool is_short(const WorldState& world, const Impact& impact) {
-  constexpr double kLongest = 1.0 / 8;  // of a step
-  const double longest = kLongest * world.model->scene.simulation.time_step;
   for (int i = 0; i < 2; ++i)
-    if (impact.deforms[i] && impact_window(world, world.bodies[impact.bodies[i]]) > longest) return false;
+    if (impact.deforms[i] && responds_slowly(world, world.bodies[impact.bodies[i]])) return false;
   return true;
+}
+
+/// True if a body moves as its supports let it.
+bool moves_on_supports(const WorldState& world, const Body& body) {
+  const RigidState state = world.contact_world.state(body.proxy);
+  return body.supported() && !(state.velocity.isZero(0) && state.angular_velocity.isZero(0));
 }
 
 /// True if an impact is judged by itself.
@@ -51,8 +56,9 @@ bool StepImpacts::is_safe(const Impact& impact) const {
 bool StepImpacts::goes_alone(const WorldState& world, const Impact& impact) const {
   for (int i = 0; i < 2; ++i) {
     const BodyId id = impact.bodies[i];
-    if (id.valid() && (world.bodies[id].explicit_state || (impact.deforms[i] && world.bodies[id].supported())))
-      return false;
+    if (!id.valid()) continue;
+    const Body& body = world.bodies[id];
+    if (body.explicit_state || (impact.deforms[i] && body.supported()) || moves_on_supports(world, body)) return false;
   }
   return is_short(world, impact);
 }

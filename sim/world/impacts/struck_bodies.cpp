@@ -5,6 +5,7 @@
 
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/bodies/expected_impacts.h"
+#include "sim/world/bodies/impact_speeds.h"
 #include "sim/world/explicit/body_frequency.h"
 #include "sim/world/explicit/similarity.h"
 
@@ -12,22 +13,33 @@ namespace griffith {
 
 namespace {
 
+/// Largest speed of an impact as a fraction of that of waves in a body that may crack, and in one that stays whole.
+constexpr double kMaxMach = 0.3, kMaxMachOfRebound = 0.6;
+
 /// True if an impact at this speed is slow against a body's waves [m/s].
 bool suits_speed(const WorldState& world, const Body& body, double speed) {
-  constexpr double kMaxMach = 0.3;
   return speed < kMaxMach * bar_wave_speed(world.material_of(body));
+}
+
+/// True if microsteps can follow waves in a body by its motion and its mesh, struck at this speed [m/s], up to a
+/// fraction of that of the waves.
+bool suits_waves(const WorldState& world, const Body& body, double impact_speed, double max_mach) {
+  constexpr double kFar = 0.1;           // strain that it has
+  constexpr double kMaxFrequency = 200;  // in bar wave speeds over the mean edge length
+  const double wave_speed = bar_wave_speed(world.material_of(body));
+  return std::max(impact_speed, inner_speed(world, body)) < max_mach * wave_speed &&
+         highest_frequency(world, body) * body.element_size < kMaxFrequency * wave_speed &&
+         !(body.is_deformable() && is_strained_by(world, body, kFar));
 }
 
 }  // namespace
 
 bool suits_microsteps(const WorldState& world, const Body& body, double impact_speed) {
-  constexpr double kMaxStrain = 0.05, kFar = 0.1;  // that breaks it; that it has
-  constexpr double kMaxFrequency = 200;            // in bar wave speeds over the mean edge length
-  const Material& material = world.material_of(body);
-  return material.tensile_strength < kMaxStrain * material.young_modulus &&
-         suits_speed(world, body, std::max(impact_speed, inner_speed(world, body))) &&
-         highest_frequency(world, body) * body.element_size < kMaxFrequency * bar_wave_speed(material) &&
-         !(body.is_deformable() && is_strained_by(world, body, kFar));
+  return !stands_large_strains(world.material_of(body)) && suits_waves(world, body, impact_speed, kMaxMach);
+}
+
+bool suits_rebound(const WorldState& world, const Body& body, double impact_speed) {
+  return rebounds(world, body) && suits_waves(world, body, impact_speed, kMaxMachOfRebound);
 }
 
 bool have_just_parted(const WorldState& world, BodyId a, BodyId b) {
@@ -86,6 +98,16 @@ class ImpactClassifier {
   std::vector<std::optional<Known>> known_;
 };
 
+/// True if a body rebounds from the ground by its own elasticity. From others it does not: microsteps know those as
+/// obstacles, which bear no loads, and which the ground does not hold up.
+bool bounces(const WorldState& world, const Impact& impact, int side) {
+  const BodyId id = impact.bodies[side];
+  if (!id.valid() || !world.contact_world.is_ground(impact.objects()[1 - side])) return false;
+  const Body& body = world.bodies[id];
+  return !body.explicit_state && impact.met.approach >= rebound_speed(world, body) &&
+         suits_rebound(world, body, impact.met.approach);
+}
+
 }  // namespace
 
 std::vector<Impact> harmful_impacts(const WorldState& world, double duration) {
@@ -102,7 +124,8 @@ std::vector<Impact> harmful_among(const WorldState& world, std::span<const Conta
   for (const ContactWorld::Encounter& met : encounters) {
     Impact impact{met, {world.body_of(met.a), world.body_of(met.b)}, {}};
     for (int i = 0; i < 2; ++i)
-      impact.deforms[i] = classifier.deforms(impact.bodies[i], impact.bodies[1 - i], met.approach);
+      impact.deforms[i] =
+          classifier.deforms(impact.bodies[i], impact.bodies[1 - i], met.approach) || bounces(world, impact, i);
     if (impact.deforms[0] || impact.deforms[1]) impacts.push_back(impact);
   }
   return impacts;

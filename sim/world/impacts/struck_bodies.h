@@ -24,6 +24,9 @@ bool is_shot(const WorldState& world, const Impact& impact);
 /// a wave crosses many others in a microstep of theirs, is left to the implicit step.
 bool suits_microsteps(const WorldState& world, const Body& body, double impact_speed);
 
+/// True if microsteps can follow an impact at this speed on a body that rebounds, as long as it does not crack [m/s].
+bool suits_rebound(const WorldState& world, const Body& body, double impact_speed);
+
 /// True if two pieces of one body have just parted: what they do to each other then is no impact.
 bool have_just_parted(const WorldState& world, BodyId a, BodyId b);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/bodies/impact_speeds.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/motion/elastic_phase.h"
 
@@ -31,7 +32,7 @@ bool is_sound(const WorldState& world, const Body& body) {
 void set_ballistic(WorldState& world, Body& body, bool ballistic) {
   if (body.ballistic == ballistic) return;
   body.ballistic = ballistic;
-  world.contact_world.set_impact_speed(body.proxy, ballistic ? 0 : harmful_impact_speed(world, body));
+  world.contact_world.set_impact_speed(body.proxy, ballistic ? 0 : examined_impact_speed(world, body));
 }
 
 void make_elastic(WorldState& world, Body& body) {

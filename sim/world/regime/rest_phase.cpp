@@ -35,7 +35,8 @@ bool is_held_bent(const WorldState& world, const Body& body) {
 /// others are judged one by one (step_impacts.h).
 bool yields_at_first_touch(const WorldState& world, const Body& body) {
   if (body.tets.size() == 1) return false;
-  return world.model->scene.simulation.integrator != Integrator::hybrid || !suits_microsteps(world, body, 0);
+  return world.model->scene.simulation.integrator != Integrator::hybrid ||
+         (!suits_microsteps(world, body, 0) && !suits_rebound(world, body, 0));
 }
 
 /// True if a free body had no contacts in the last substep and has no stress or waves: a rigid one would move alike.
