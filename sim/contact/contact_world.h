@@ -281,11 +281,11 @@ class ContactWorld {
 
 /// Divides a body into few, nearly convex parts for collision. `points`, which are now where they are and at rest at
 /// `rest_points`, and `tets` are the body's own. Every tet belongs to one part, the convex hull of its at most
-/// `max_corners` (>= 4) most extreme corners. The division is that at `rest_points`, so that it does not change as the body deforms; those of one
-/// that has bent may be its present points. Up to 64 tets are merged into parts that leave the surface by at most 0.5 %
-/// of the body's extent (convex_clusters). A part of a larger body is accepted if its tets fill at least the fraction
-/// `fill` (0..1] of its hull, or if it has less than 1/32 of the body's volume; else it is halved across its longest
-/// axis. A low `fill` makes fewer parts.
+/// `max_corners` (>= 4) most extreme corners. The division is that at `rest_points`, so that it does not change as the
+/// body deforms; those of one that has bent may be its present points. Up to 64 tets are merged into parts that leave
+/// the surface by at most 0.5 % of the body's extent (convex_clusters). A part of a larger body is accepted if its tets
+/// fill at least the fraction `fill` (0..1] of its hull, or if it has less than 1/32 of the body's volume; else it is
+/// halved across its longest axis. A low `fill` makes fewer parts.
 std::vector<ConvexPart> convex_parts(std::span<const Vec3> points, std::span<const Vec3> rest_points,
                                      std::span<const std::array<int, 4>> tets, double fill = 0.97,
                                      int max_corners = 42);
