@@ -6,7 +6,6 @@
 
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/bodies/expected_impacts.h"
-#include "sim/world/explicit/similarity.h"
 
 namespace griffith {
 namespace {
@@ -34,6 +33,10 @@ double harmful_impact_speed(const WorldState& world, const Body& body) {
 bool stands_large_strains(const Material& material) {
   constexpr double kLarge = 0.05;
   return material.tensile_strength >= kLarge * material.young_modulus;
+}
+
+double impact_window(const WorldState& world, const Body& body) {
+  return kTransits * body.extent / bar_wave_speed(world.material_of(body));
 }
 
 bool responds_slowly(const WorldState& world, const Body& body) {

@@ -57,12 +57,12 @@ bool is_at_rest(const WorldState& world, const Contact& contact, double dt) {
 }
 
 /// True if the damage by a contact was predicted before the step: impacts have their own phase, and their mean force in
-/// a long step does not predict it. Bodies too soft for microsteps are left to the implicit step; those too stiff
-/// for it rebound as rigid ones.
+/// a long step does not predict it. Bodies too soft for microsteps are left to the implicit step.
 bool is_left_to_microsteps(const WorldState& world, const Body& body, const Contact& contact) {
+  const ProxyId other = contact.a == body.proxy ? contact.b : contact.a;
   return world.model->scene.simulation.integrator == Integrator::hybrid && contact.approach > min_impact_speed(world) &&
          (!deforms_visibly(world, body) || suits_microsteps(world, body, 0) ||
-          suits_rebound(world, body, contact.approach));
+          (world.contact_world.is_ground(other) && suits_rebound(world, body, contact.approach)));
 }
 
 /// Returns the force of another object on a body in a substep of `dt` [N].

@@ -12,6 +12,7 @@
 #include "sim/geometry/disjoint_sets.h"
 #include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/bodies/impact_speeds.h"
 #include "sim/world/bodies/supported_motion.h"
 #include "sim/world/conditions/quick_changes.h"
 #include "sim/world/energy/energy_phase.h"
@@ -23,8 +24,6 @@
 namespace griffith {
 namespace {
 
-/// Number of times that waves would cross a piece after its last event.
-constexpr double kTransits = 4;
 /// Factors down to which bodies are scaled: to the first at unchanged breaking speeds, to the second if a step would
 /// exceed its ceiling.
 constexpr double kMinFactor = 1.0 / 16, kLeastFactor = 1.0 / 64;
@@ -184,10 +183,6 @@ double element_transit_time(const WorldState& world, const Body& body) {
 
 double explicit_window(const WorldState& world, const Body& body) {
   return kTransits * body.extent / slowed_wave_speed(world, body);
-}
-
-double impact_window(const WorldState& world, const Body& body) {
-  return kTransits * body.extent / bar_wave_speed(world.material_of(body));
 }
 
 double time_to_follow(const WorldState& world) {

@@ -40,9 +40,6 @@ inline constexpr double kQuadraticWork = 3;
 /// of several crossings [s].
 double explicit_window(const WorldState& world, const Body& body);
 
-/// Returns the same for an impact that is examined or followed by itself, under the full stiffness [s].
-double impact_window(const WorldState& world, const Body& body);
-
 /// Returns the time until the waves of all bodies in explicit dynamics have been followed, without new events; 0
 /// without such bodies [s].
 double time_to_follow(const WorldState& world);

@@ -11,6 +11,7 @@
 #include "sim/explicit/microstep_contacts.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/bodies/expected_impacts.h"
+#include "sim/world/bodies/impact_speeds.h"
 #include "sim/world/bodies/supported_motion.h"
 #include "sim/world/explicit/body_frequency.h"
 #include "sim/world/explicit/explicit_obstacles.h"

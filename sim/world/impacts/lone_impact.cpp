@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "sim/world/bodies/impact_speeds.h"
 #include "sim/world/contact/contact_phase.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/explicit/explicit_obstacles.h"

@@ -167,6 +167,8 @@ bool repeats_balls(const ContactCase& at) {
 // Energy is what gravity and the start put in, less what is lost.
 TEST_P(StrikingLaw, ASoftBallOfGreenStrainGainsNoEnergy) {
   if (repeats_balls(GetParam())) GTEST_SKIP() << "repeats others";
+  const bool is_dear = GetParam().refinement == 2 && GetParam().time_step < 0.01;  // as much as all other laws
+  if (is_dear && !testing::all_contact_cases()) GTEST_SKIP() << "its mesh and its step are others'";
   Material soft;
   soft.young_modulus = 64400;
   soft.tensile_strength = 1080;
