@@ -33,9 +33,10 @@ std::optional<double> number_of(const std::string& word) {
 
 std::string setting_value(const std::string& word) {
   const Json value = Json::parse(word, nullptr, false);
-  if (value.is_discarded())
-    if (const std::optional<double> number = number_of(word)) return Json(*number).dump();
-  if (value.is_discarded()) return Json(word).dump(-1, ' ', false, Json::error_handler_t::replace);
+  if (value.is_discarded()) {
+    const std::optional<double> number = number_of(word);
+    return (number ? Json(*number) : Json(word)).dump(-1, ' ', false, Json::error_handler_t::replace);
+  }
   std::string line = word;  // line breaks between JSON's values are mere blanks
   std::ranges::replace_if(
       line, [](char c) { return c == '\n' || c == '\r'; }, ' ');

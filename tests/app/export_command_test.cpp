@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -119,9 +121,11 @@ TEST(Usda, IsBalancedAndNamesEachObjectOnce) {
   EXPECT_EQ(open, "");
   std::multiset<std::string> names;
   constexpr std::string_view kObject = "def Xform \"";
+  const auto is_of_word = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
   for (std::size_t at = 0; (at = text.find(kObject, at)) != std::string::npos;) {
     at += kObject.size();
-    names.insert(text.substr(at, text.find('"', at) - at));
+    const std::string& name = *names.insert(text.substr(at, text.find('"', at) - at));
+    EXPECT_TRUE(!name.empty() && std::ranges::all_of(name, is_of_word)) << name;
   }
   EXPECT_EQ(names.size(), bake.objects.size() + 1);
   for (const BakedObject& object : bake.objects) EXPECT_EQ(names.count(object.name), 1u);
