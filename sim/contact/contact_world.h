@@ -279,6 +279,10 @@ class ContactWorld {
   std::unique_ptr<Impl> impl_;
 };
 
+/// Largest number of corners of a convex part of what is jagged: more cost time at every contact without a visible
+/// effect.
+inline constexpr int kMaxCorners = 42;
+
 /// Divides a body into few, nearly convex parts for collision. `points`, which are now where they are and at rest at
 /// `rest_points`, and `tets` are the body's own. Every tet belongs to one part, the convex hull of its at most
 /// `max_corners` (>= 4) most extreme corners. The division is that at `rest_points`, so that it does not change as the
@@ -288,6 +292,6 @@ class ContactWorld {
 /// halved across its longest axis. A low `fill` makes fewer parts.
 std::vector<ConvexPart> convex_parts(std::span<const Vec3> points, std::span<const Vec3> rest_points,
                                      std::span<const std::array<int, 4>> tets, double fill = 0.97,
-                                     int max_corners = 42);
+                                     int max_corners = kMaxCorners);
 
 }  // namespace griffith

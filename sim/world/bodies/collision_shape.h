@@ -12,8 +12,6 @@ namespace griffith {
 /// Largest number of corners of a convex part of an undivided body. What is round rolls, and meets others where its
 /// surface is: that of a ball of 162 corners lies within a fiftieth of its radius.
 inline constexpr int kCornersOfUndivided = 162;
-/// The same for pieces, which are jagged: more corners would cost time at every contact without a visible effect.
-inline constexpr int kCornersOfPieces = 42;
 
 /// Returns the convex parts of tets of a mesh (ascending), with its nodes at `positions`, relative to `center` [m], of
 /// at most `max_corners` each.
