@@ -42,6 +42,14 @@ bool suits_rebound(const WorldState& world, const Body& body, double impact_spee
   return rebounds(world, body) && suits_waves(world, body, impact_speed, kMaxMachOfRebound);
 }
 
+bool is_hard_for(const WorldState& world, const Body& body, ProxyId object) {
+  constexpr double kMuchStiffer = 10;
+  const BodyId id = world.body_of(object);
+  if (!id.valid()) return true;
+  return !world.bodies[id].guided &&
+         world.material_of(world.bodies[id]).young_modulus >= kMuchStiffer * world.material_of(body).young_modulus;
+}
+
 bool have_just_parted(const WorldState& world, BodyId a, BodyId b) {
   constexpr double kApart = 0.1;  // [s]
   if (!a.valid() || !b.valid() || world.bodies[a].scene_body != world.bodies[b].scene_body) return false;
@@ -98,14 +106,13 @@ class ImpactClassifier {
   std::vector<std::optional<Known>> known_;
 };
 
-/// True if a body rebounds from the ground by its own elasticity. From others it does not: microsteps know those as
-/// obstacles, which bear no loads, and which the ground does not hold up.
+/// True if a body rebounds by its own elasticity. Two soft ones do not: microsteps follow the waves of one of them.
 bool bounces(const WorldState& world, const Impact& impact, int side) {
   const BodyId id = impact.bodies[side];
-  if (!id.valid() || !world.contact_world.is_ground(impact.objects()[1 - side])) return false;
+  if (!id.valid()) return false;
   const Body& body = world.bodies[id];
   return !body.explicit_state && impact.met.approach >= rebound_speed(world, body) &&
-         suits_rebound(world, body, impact.met.approach);
+         suits_rebound(world, body, impact.met.approach) && is_hard_for(world, body, impact.objects()[1 - side]);
 }
 
 }  // namespace
