@@ -72,6 +72,7 @@ struct ElasticObject {
   ProxyId object;
   std::vector<int> contacts;         ///< indices into contacts(), ascending: all of the object's
   Eigen::Matrix3Xd free_velocities;  ///< one column a contact [m/s]
+  bool rebounds_by_law = false;      ///< its waves end within the substep: the coefficient of restitution includes them
 };
 
 /// Held object that its supports let rotate, treated as rigid.
@@ -92,11 +93,12 @@ struct HingedObject {
 /// position_correction().
 ///
 /// The impulses of a free rigid object sum up to its change of momentum, to rounding, linear and angular (at the
-/// contacts' points). What touches an elastic object does not bounce, since that rebounds by itself, nor does what
-/// comes no faster than by a fall within two substeps or through a small share of the objects' size. A gap that closes
-/// within `dt` at a higher speed is struck at once with the full approach speed; at a lower one, objects come to touch.
-/// Overlap is taken out by a share a substep through position_correction(), which adds no velocity and lifts no more
-/// than contacts have taken from the motion: what is put to rest in others stays there.
+/// contacts' points). What touches an elastic object whose waves outlast the substep does not bounce, since that
+/// rebounds by itself, nor does what comes no faster than by a fall within two substeps or through a small share of the
+/// objects' size. A gap that closes within `dt` at a higher speed is struck at once with the full approach speed; at a
+/// lower one, objects come to touch. Overlap is taken out by a share a substep through position_correction(), which
+/// adds no velocity and lifts no more than contacts have taken from the motion: what is put to rest in others stays
+/// there.
 ///
 /// The same calls give the same bits. Results depend on the history of contacts (the solver starts from the last
 /// impulses), which a copy has too. States must be finite: asserted.
@@ -254,6 +256,7 @@ class ContactWorld {
     std::array<RigidState, 2> starts;  ///< poses at its start, with the velocities by the impulses in contacts()
     std::vector<Contact> points;       ///< where they overlap at its end
     std::optional<Encounter> impact;   ///< if they meet fast enough to cause damage
+    bool is_deep = false;              ///< true if they would overlap by more than half of the smaller thickness
   };
   /// Returns the meetings within a substep of `dt` [s] > 0, by the impulses in contacts(), that detection left out: of
   /// approaches that could cause damage, and of objects that impulses divert, such as the far end of a rod that is

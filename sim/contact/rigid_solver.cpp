@@ -202,13 +202,13 @@ class GroupStep {
     return done;
   }
 
-  /// True if two bodies that parted within the step would overlap by the velocities of their centers at its end alone:
-  /// what gravity brings back arrives in the next step.
+  /// True if two bodies that no impulse stopped would overlap by their velocities at the end of the step alone: gravity
+  /// adds to these up to its end. What parted and comes back arrives in the next step.
   bool comes_back(const Block& block, const Point& point) const {
     const Motion &a = motions_[block.a], &b = motions_[block.b];
     double parting = point.driven;
-    if (a.moves) parting += dot(block.normal, a.velocity);
-    if (b.moves) parting -= dot(block.normal, b.velocity);
+    if (a.moves) parting += dot(block.normal, a.velocity + cross(a.spin, start_of_a(point)));
+    if (b.moves) parting -= dot(block.normal, b.velocity + cross(b.spin, start_of_b(point)));
     return point.distance >= 0 && point.distance + dt_ * parting < 0;
   }
 

@@ -64,7 +64,8 @@ void describe_properties(Archive& archive, Material& m) {
   archive.field("plastic_limit", m.plastic_limit, between(0, 1, "-"),
                 "Plastic limit γ₂: the norm of the plastic strain at which flow ends");
   archive.field("friction", m.friction, between(0, 10, "-"), "Coulomb's coefficient of friction");
-  archive.field("restitution", m.restitution, between(0, 1, "-"), "Coefficient of restitution; 1: no loss");
+  archive.field("restitution", m.restitution, between(0, 1, "-"),
+                "Coefficient of restitution of impacts too slow to cause damage; faster ones rebound by their waves");
   archive.field("mass_damping", m.mass_damping, between(0, 1e6, "1/s"), "Rayleigh damping α, proportional to mass");
   archive.field("stiffness_damping", m.stiffness_damping, between(0, 1e3, "s"),
                 "Rayleigh damping β, proportional to stiffness");

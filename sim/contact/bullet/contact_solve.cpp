@@ -67,31 +67,42 @@ bool ContactWorld::Impl::strikes(const Contact& contact, double dt) const {
          contact.approach * dt > contact.distance;
 }
 
+/// True for a free object that nothing carries: one that does not stand still.
+bool ContactWorld::Impl::falls(const Object& object, double dt) const {
+  return object.is_free() && object.first_velocity.norm() > 0.5 * dt * gravity.norm();
+}
+
 /// Returns the separation speed after an impact, now instead of when the gap will have closed, for e² of the height of
 /// the fall. In these substeps, a fall with g conserves v²/2 + g y + g dt v/2, v downward.
 double ContactWorld::Impl::rebound_speed(const Contact& contact, double dt) const {
   const Object &a = objects[contact.a], &b = objects[contact.b];
   const double restitution = std::min(a.surface.restitution, b.surface.restitution);
-  const Vec3 relative_gravity = (a.is_free() - b.is_free()) * gravity;
-  const double gain = -dt * contact.normal.dot(relative_gravity);  // of the approach, in this substep
-  const double before = contact.approach - gain, climb = 2 * gain / dt * std::max(0.0, contact.distance);
+  const auto gain_of = [&](int falling) { return -dt * falling * contact.normal.dot(gravity); };
+  const double gain = gain_of(falls(a, dt) - falls(b, dt));  // of the approach, in this substep
+  const double before = contact.approach - gain_of(a.is_free() - b.is_free()),
+               climb = 2 * gain / dt * std::max(0.0, contact.distance);
   // The top of the steps lies up to g dt²/8 above that of the fall.
   const double over = gain * gain / 4;
   const double left = restitution * restitution * (before * before + gain * before + climb) - climb - over;
-  return left > 0 ? -gain / 2 + std::sqrt(gain * gain / 4 + left) : 0;
+  if (left <= 0 || before + gain <= 0) return 0;
+  const double speed = -gain / 2 + std::sqrt(gain * gain / 4 + left);
+  return speed * contact.approach / (before + gain);  // alone, what is carried would fall, too
 }
 
 double ContactWorld::Impl::target_velocity(const Contact& contact, double dt) const {
   if (!strikes(contact, dt)) return -std::max(0.0, contact.distance) / dt;
   const Object &a = objects[contact.a], &b = objects[contact.b];
-  if (a.elastic || b.elastic || allowance(contact.a, contact.b) > 0) return 0;
+  if (!a.rebounds || !b.rebounds || allowance(contact.a, contact.b) > 0) return 0;
   return rebound_speed(contact, dt);
 }
 
 int ContactWorld::Impl::solve(double dt, std::span<const ElasticObject> elastic, std::span<const HingedObject> hinges) {
   assert(dt > 0);
-  for (Object& object : objects) object.elastic = false, object.hinge = -1;
-  for (const ElasticObject& object : elastic) objects[object.object].elastic = true;
+  for (Object& object : objects) object.elastic = false, object.rebounds = true, object.hinge = -1;
+  for (const ElasticObject& object : elastic) {
+    objects[object.object].elastic = true;
+    objects[object.object].rebounds = object.rebounds_by_law;
+  }
   hinged.assign(hinges.begin(), hinges.end());
   for (std::size_t i = 0; i < hinged.size(); ++i) objects[hinged[i].object].hinge = static_cast<int>(i);
   inherit_forces();
@@ -288,7 +299,7 @@ RigidContact ContactWorld::Impl::overlap_contact(const Contact& contact) const {
   row.arm_b = contact.position - b.state.pose.translation;
   row.fallen = gravity.dot(contact.position);
   row.distance = distance_beyond(contact.distance, allowance(contact.a, contact.b));
-  row.resting = kRestingFraction * smaller_radius(a, b);
+  row.resting = kRestingFraction * smaller_thickness(a, b);
   return row;
 }
 

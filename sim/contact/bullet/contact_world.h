@@ -19,6 +19,8 @@ namespace griffith::contact {
 
 struct Object;
 double smaller_radius(const Object& a, const Object& b);
+/// Returns the thickness of the thinner one; that of the other where one is the ground [m].
+double smaller_thickness(const Object& a, const Object& b);
 /// Returns the inertia of a free object about its center of mass, in the world frame [kg·m²].
 Mat3 world_inertia(const Object& object);
 /// Returns its inverse [1/(kg·m²)].
@@ -36,6 +38,7 @@ struct alignas(64) Object {
   Mobility mobility;
   bool asleep = false;      ///< at rest: neither moved nor examined until it is disturbed
   bool elastic = false;     ///< its owner answers the impulses of the present solve
+  bool rebounds = true;     ///< in the present solve, by the coefficient of restitution
   int hinge = -1;           ///< index into those of the present solve, -1 without one
   bool fresh = true;        ///< true until detect() has used its shape
   bool parted = true;       ///< true if a fresh shape is that of another piece, not of the same one deformed
@@ -269,6 +272,7 @@ struct ContactWorld::Impl : contact::ContactState {
   Law law_of(const Contact& contact, const contact::Memory& memory, double dt) const;
   Vec3 rigid_velocity(ProxyId id, const Vec3& arm, double dt) const;
   double target_velocity(const Contact& contact, double dt) const;
+  bool falls(const contact::Object& object, double dt) const;
   double rebound_speed(const Contact& contact, double dt) const;
   bool strikes(const Contact& contact, double dt) const;
   std::vector<std::pair<int, int>> touching_pairs() const;
@@ -348,7 +352,11 @@ struct ContactWorld::Impl : contact::ContactState {
   EndOfStep end_of_step(std::size_t object, const Momentum& impulses, double dt) const;
   std::vector<EndOfStep> ends_of_step(double dt) const;
   std::vector<contact::Pair> pairs_at_end(const std::vector<EndOfStep>& ends) const;
-  std::vector<Contact> unlisted_points(const contact::Pair& pair, const std::vector<EndOfStep>& ends, double dt) const;
+  struct UnlistedPoints {
+    std::vector<Contact> points;
+    bool is_deep = false;  ///< as of Meeting
+  };
+  UnlistedPoints unlisted_points(const contact::Pair& pair, const std::vector<EndOfStep>& ends, double dt) const;
   bool is_listed(const Contact& contact) const;
   Meeting meeting_of(const contact::Pair& pair, const std::vector<EndOfStep>& ends, double dt,
                      const contact::ImpactRule& rule) const;

@@ -21,9 +21,12 @@ struct ContactWorld::Impl::EndOfStep {
 
 namespace {
 
-/// Overlaps that are worth solving everything again, as a fraction of the smaller radius: of rigid objects, and of
+/// Overlaps that are worth solving everything again, as a fraction of the smaller thickness: of rigid objects, and of
 /// those whose owner has the dearer problem to solve.
-constexpr double kNoticed = 0.03, kDeep = 0.3;
+constexpr double kNoticed = 0.03, kDeep = 0.2;
+
+/// Overlap with which an object is no longer where it should be, as a fraction of the smaller thickness.
+constexpr double kThrough = 0.5;
 
 /// True for the same two parts, in either order.
 bool are_same(const Pair& left, const Pair& right) { return left.key() == right.key(); }
@@ -136,14 +139,15 @@ bool ContactWorld::Impl::is_listed(const Contact& contact) const {
 
 /// Returns the points at which two parts that are apart now overlap at the end of the substep. Their position is the
 /// mean over the substep, at which velocities give the displacement of points that turn far.
-std::vector<Contact> ContactWorld::Impl::unlisted_points(const Pair& pair, const std::vector<EndOfStep>& ends,
-                                                         double dt) const {
+ContactWorld::Impl::UnlistedPoints ContactWorld::Impl::unlisted_points(const Pair& pair,
+                                                                       const std::vector<EndOfStep>& ends,
+                                                                       double dt) const {
   const Object &a = objects[pair.a], &b = objects[pair.b];
   const EndOfStep &end_of_a = ends[pair.a], &end_of_b = ends[pair.b];
-  const double tolerance = (end_of_a.is_owners || end_of_b.is_owners ? kDeep : kNoticed) * smaller_radius(a, b);
+  const double tolerance = (end_of_a.is_owners || end_of_b.is_owners ? kDeep : kNoticed) * smaller_thickness(a, b);
   Manifold manifold;
   find_points(pair, manifold, {end_of_a.state.pose, end_of_a.place}, {end_of_b.state.pose, end_of_b.place}, -tolerance);
-  std::vector<Contact> points;
+  UnlistedPoints found;
   for (const Manifold::Point& point : manifold.listed()) {
     Contact contact = contact_at(pair, manifold, point, end_of_a.place, end_of_b.place);
     contact.position_at = PositionTime::mean;
@@ -154,10 +158,12 @@ std::vector<Contact> ContactWorld::Impl::unlisted_points(const Pair& pair, const
         share * mean_place(a, end_of_a.turn, point.on_a) + (1 - share) * mean_place(b, end_of_b.turn, point.on_b);
     const Vec3 parting =
         velocity_at(a, end_of_a.state, contact.position) - velocity_at(b, end_of_b.state, contact.position);
-    contact.distance -= dt * contact.normal.dot(parting);
-    if (contact.distance > 0 && !is_listed(contact)) points.push_back(contact);
+    const double overlap = -std::exchange(contact.distance, contact.distance - dt * contact.normal.dot(parting));
+    if (contact.distance <= 0 || is_listed(contact)) continue;
+    found.points.push_back(contact);
+    found.is_deep |= overlap > kThrough * smaller_thickness(a, b);
   }
-  return points;
+  return found;
 }
 
 /// Returns the meeting of two objects, without points.
@@ -191,10 +197,11 @@ std::vector<ContactWorld::Meeting> ContactWorld::Impl::unlisted_meetings(double 
   const std::vector<Pair> near = pairs_at_end(ends);
   for (const Pair& pair : near) {
     if (is_left_out(pair.a) || is_left_out(pair.b)) continue;
-    const std::vector<Contact> points = unlisted_points(pair, ends, dt);
-    if (points.empty()) continue;
+    const UnlistedPoints found = unlisted_points(pair, ends, dt);
+    if (found.points.empty()) continue;
     if (!last || last->a != pair.a || last->b != pair.b) meetings.push_back(meeting_of(pair, ends, dt, rule));
-    meetings.back().points.insert(meetings.back().points.end(), points.begin(), points.end());
+    meetings.back().is_deep |= found.is_deep;
+    meetings.back().points.insert(meetings.back().points.end(), found.points.begin(), found.points.end());
     last = &pair;
   }
   return meetings;

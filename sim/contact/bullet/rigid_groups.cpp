@@ -33,6 +33,11 @@ double contact::smaller_radius(const Object& a, const Object& b) {
   return b.kind == Kind::ground ? a.shape.radius : std::min(a.shape.radius, b.shape.radius);
 }
 
+double contact::smaller_thickness(const Object& a, const Object& b) {
+  if (a.kind == Kind::ground) return b.shape.thickness;
+  return b.kind == Kind::ground ? a.shape.thickness : std::min(a.shape.thickness, b.shape.thickness);
+}
+
 /// Divides the contacts into those of groups of rigid objects and all others.
 void ContactWorld::Impl::split_groups() {
   DisjointSets sets(static_cast<int>(objects.size()));
@@ -118,7 +123,7 @@ RigidContact ContactWorld::Impl::rigid_contact(std::size_t index, double dt) con
   const double allowed = allowance(contact.a, contact.b);
   row.distance = distance_beyond(contact.distance, allowed);
   row.is_mean = contact.position_at == PositionTime::mean;
-  row.resting = kOverlapAtRest * smaller_radius(a, b);
+  row.resting = kOverlapAtRest * smaller_thickness(a, b);
   row.fallen = gravity.dot(contact.position);
   row.friction = std::sqrt(a.surface.friction * b.surface.friction);
   const auto speed = [&](const RigidBody& body, const Vec3& arm) {

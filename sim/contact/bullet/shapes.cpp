@@ -1,6 +1,7 @@
 #include "sim/contact/bullet/shapes.h"
 
 #include <cassert>
+#include <limits>
 
 #include "sim/geometry/convex_hull.h"
 
@@ -41,17 +42,21 @@ Shape sphere_shape(double radius) {
   assert(radius > 0);
   Shape shape;
   shape.parts.push_back(std::make_shared<btSphereShape>(radius));
-  shape.radius = radius;
+  shape.radius = shape.thickness = radius;
   return shape;
 }
 
 Shape hull_shape(std::span<const ConvexPart> parts) {
   assert(!parts.empty());
+  constexpr double kLeast = 0.02;  // of the radius: among the parts of a jagged body there are slivers
   Shape shape;
-  for (const ConvexPart& part : parts) {
-    shape.radius = std::max(shape.radius, largest_distance(part, Vec3::Zero()));
-    shape.parts.push_back(std::make_shared<HullShape>(convex_hull(part)));
+  double thinnest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    shape.radius = std::max(shape.radius, largest_distance(parts[i], Vec3::Zero()));
+    shape.parts.push_back(std::make_shared<HullShape>(convex_hull(parts[i])));
+    thinnest = std::min(thinnest, 2 * shape.hull(i).inner_radius);
   }
+  shape.thickness = std::clamp(thinnest, kLeast * shape.radius, shape.radius);
   return shape;
 }
 

@@ -41,7 +41,8 @@ class HullShape final : public btConvexHullShape {
 /// Shape of an object: convex parts, none for the ground. It is constant, so copies share it.
 struct Shape {
   std::vector<std::shared_ptr<btConvexShape>> parts;  ///< in the object's own frame
-  double radius = 0;  ///< radius of a sphere around the object's origin that contains all parts [m]
+  double radius = 0;     ///< radius of a sphere around the object's origin that contains all parts [m]
+  double thickness = 0;  ///< that of the thinnest part, limited to 0.02 … 1 times the radius [m]
 
   bool is_sphere() const { return !parts.empty() && parts.front()->getShapeType() == SPHERE_SHAPE_PROXYTYPE; }
   /// Returns the hull of a part that is not a sphere.

@@ -221,6 +221,7 @@ SolvedContacts solve_contacts(WorldState& world, double dt, const MeetingFilter&
     choose_quasi_static_bodies(world);  // groups have grown
     replace_contacts(world, spread_contacts(world, dt));
     const SolvedContacts earlier = std::exchange(solved, {touched_bodies(world), {}});
+    place_contacts(world, touched, world.contact_world.contacts());
     foresee_turns(world, touched, dt);
     solved.groups = solve_elastic_contacts(world, touched, dt, earlier);
   }

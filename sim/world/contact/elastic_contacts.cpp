@@ -7,6 +7,7 @@
 #include "sim/core/parallel.h"
 #include "sim/solver/contact_problem.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/bodies/impact_speeds.h"
 #include "sim/world/bodies/supported_motion.h"
 #include "sim/world/contact/bond_rows.h"
 #include "sim/world/motion/elastic_phase.h"
@@ -52,11 +53,20 @@ std::vector<HingedObject> hinged_objects(const WorldState& world, const TouchedB
   return hinged;
 }
 
+/// True if the waves of an impact on a body end within a small part of a step, which damps them.
+bool rebounds_by_law(const WorldState& world, const Body& body) {
+  return !world.integrates_explicitly() && !is_thin(body) && !responds_slowly(world, body);
+}
+
 /// Returns the coupled bodies, with their indices in `touched`.
 std::vector<ElasticObject> coupled_objects(const WorldState& world, const TouchedBodies& touched) {
   std::vector<ElasticObject> coupled;
-  for (std::size_t i = 0; i < touched.bodies.size(); ++i)
-    if (!world.bodies[touched.bodies[i].body].quasi_static) coupled.push_back(touched.objects[i]);
+  for (std::size_t i = 0; i < touched.bodies.size(); ++i) {
+    const Body& body = world.bodies[touched.bodies[i].body];
+    if (body.quasi_static) continue;
+    coupled.push_back(touched.objects[i]);
+    coupled.back().rebounds_by_law = rebounds_by_law(world, body);
+  }
   return coupled;
 }
 

@@ -13,6 +13,7 @@
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/contact/quasi_static.h"
+#include "sim/world/contact/touched_body.h"
 
 namespace griffith {
 namespace {
@@ -57,8 +58,6 @@ struct FacePair {
   Eigen::AlignedBox3d patch;
   std::vector<int> contacts = {};
 };
-
-bool is_of_nodes(const Contact& contact) { return contact.node_a.valid() || contact.node_b.valid(); }
 
 /// True if impulses deform an object together with its neighbors.
 bool is_coupled(const WorldState& world, ProxyId object) {
@@ -183,24 +182,25 @@ void add_face_contacts(const WorldState& world, const std::vector<Vec3>& places,
   const FaceFrame frame(pair.normal);
   const Face face_a = face_of(world, places, a, frame, -1, region),
              face_b = face_of(world, places, b, frame, 1, region);
-  const auto add = [&](const FaceNode& node, double distance, double to_middle, NodeId node_a, NodeId node_b) {
-    const Vec3 middle = places[node.node] + to_middle * pair.normal;
+  const bool acts_on_a = acts_on_first(world, pair.a, pair.b);
+  const auto add = [&](const FaceNode& node, double distance, double across, NodeId node_a, NodeId node_b) {
+    const Vec3 place = places[node.node] + across * pair.normal;
     if (std::abs(distance) < reach)
-      added.push_back({pair.a, pair.b, middle, pair.normal, distance, 0, Vec3::Zero(), node_a, node_b});
+      added.push_back({pair.a, pair.b, place, pair.normal, distance, 0, Vec3::Zero(), node_a, node_b});
   };
   std::vector<FaceNode> touching;
   for (const FaceNode& node : face_a.nodes)
     if (const std::optional<double> height = height_at(face_b, node.place)) {
       const double distance = node.place.z() - *height;
       const FaceNode* met = node_at(face_b.nodes, node.place, kSamePlace * size);
-      add(node, distance, -0.5 * distance, node.node, met ? met->node : NodeId());
+      add(node, distance, acts_on_a ? 0 : -distance, node.node, met ? met->node : NodeId());
       touching.push_back(node);
     }
   for (const FaceNode& node : face_b.nodes)
     if (const std::optional<double> height = height_at(face_a, node.place)) {
       if (node_at(touching, node.place, kSamePlace * size)) continue;
       const double distance = *height - node.place.z();
-      add(node, distance, 0.5 * distance, NodeId(), node.node);
+      add(node, distance, acts_on_a ? distance : 0, NodeId(), node.node);
     }
 }
 
@@ -237,10 +237,7 @@ void add_ground_contacts(const WorldState& world, const std::vector<Vec3>& place
   sort_unique(nodes);
   for (const NodeId node : nodes) {
     const double distance = places[node].y() - height;
-    // A soft body acts where its node will be; others half-way, as proxies do.
-    const double to_middle = is_soft ? 0 : 0.5 * distance;
-    const Vec3 middle = places[node] - to_middle * Vec3::UnitY();
-    added.push_back({body.proxy, ground, middle, Vec3::UnitY(), distance, 0, Vec3::Zero(), node, NodeId()});
+    added.push_back({body.proxy, ground, places[node], Vec3::UnitY(), distance, 0, Vec3::Zero(), node, NodeId()});
   }
 }
 
@@ -259,7 +256,7 @@ FacePatch ground_patch(const WorldState& world, const std::vector<Vec3>& places,
   return patch;
 }
 
-/// Adds what elastic bodies have on the ground, once for each, and marks what was detected there.
+/// Adds what elastic bodies have on the ground, once for each, and marks what was detected there at the start.
 void add_all_ground_contacts(const WorldState& world, const std::vector<Vec3>& places, double dt,
                              std::vector<Contact>& added, std::vector<bool>& replaced) {
   const std::optional<ProxyId> ground = world.contact_world.ground();
@@ -277,7 +274,7 @@ void add_all_ground_contacts(const WorldState& world, const std::vector<Vec3>& p
     }
   for (std::size_t i = 0; i < contacts.size(); ++i)
     for (const auto& [side, other] : {std::pair(contacts[i].a, contacts[i].b), std::pair(contacts[i].b, contacts[i].a)})
-      if (other == *ground && done.contains(side)) replaced[i] = true;
+      if (other == *ground && done.contains(side) && contacts[i].position_at == PositionTime::start) replaced[i] = true;
 }
 
 auto objects_of(const Contact& contact) { return std::pair(contact.a, contact.b); }

@@ -79,7 +79,7 @@ class GroupBuilder {
       row.axes = law.axes;
       row.friction = law.friction;
       row.target_velocity = target_velocity(found, contact, std::min(0.0, law.target_velocity), fastest);
-      row.rebound = std::max(0.0, law.target_velocity);
+      row.rebound = is_impact(found, contact) ? std::max(0.0, law.target_velocity) : 0;
       group.target_velocities.push_back(row.target_velocity);
       row.free_velocity = law.axes.transpose() * law.free_velocity;
       row.impulse = law.guess;
@@ -158,13 +158,24 @@ class GroupBuilder {
     return of_body.velocity + of_body.angular_velocity.cross(position - world_.bodies[id].motion.center);
   }
 
+  /// Returns the speed at which the sides of a contact approached when the substep began [m/s].
+  double first_approach(const Contact& contact, int index) {
+    return contact.normal.dot(first_velocity(contact.b, index, contact.position) -
+                              first_velocity(contact.a, index, contact.position));
+  }
+
   /// True if a gap closes in the substep by the velocities at its start, not because a bent body springs back as soon
   /// as what carries it is left out. Bodies that may strain far spring back as they are thrown.
   bool closes_by_motion(const Contact& contact, int index) {
     if (strains_far(contact.a) || strains_far(contact.b)) return true;
-    const Vec3 approach =
-        first_velocity(contact.b, index, contact.position) - first_velocity(contact.a, index, contact.position);
-    return dt_ * contact.normal.dot(approach) > contact.distance;
+    return dt_ * first_approach(contact, index) > contact.distance;
+  }
+
+  /// True if the sides of a contact meet by the velocities at the start of the substep, not because a strained body
+  /// springs back as soon as what presses on it is left out.
+  bool is_impact(const Contact& contact, int index) {
+    if (!is_deformable(contact.a) && !is_deformable(contact.b)) return true;
+    return first_approach(contact, index) > 0.5 * contact.approach;
   }
 
   /// Returns the least separation velocity [m/s]. A soft body closes its gap within the substep: stopped at once, like

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "sim/core/parallel.h"
@@ -68,6 +69,17 @@ void list_bonds(const WorldState& world, TouchedBodies& touched) {
 
 }  // namespace
 
+bool acts_on_first(const WorldState& world, ProxyId first, ProxyId second) {
+  const auto mass = [&](ProxyId object) {
+    const std::optional<RigidMass> moved = world.contact_world.rigid_mass(object);
+    if (moved) return moved->mass;
+    const BodyId id = world.body_of(object);
+    const bool is_free = id.valid() && !world.bodies[id].supported();
+    return is_free ? world.bodies[id].motion.mass : std::numeric_limits<double>::infinity();
+  };
+  return mass(first) <= mass(second);
+}
+
 TouchedPoint touched_node(const WorldState& world, NodeId node, const Vec3& place) {
   return {{{node, node, node}, Vec3::UnitX()}, node, place, world.nodes.positions[node]};
 }
@@ -92,32 +104,21 @@ TouchedBodies touched_bodies(const WorldState& world) {
   return touched;
 }
 
-namespace {
-
-/// Moves a contact half-way between the surfaces that touch, of which `point` is on one.
-Vec3 middle_from(const Contact& contact, const Vec3& point, double side) {
-  return point - side * 0.5 * contact.distance * contact.normal;
-}
-
-void correct_places(const WorldState& world, TouchedBodies& touched, std::span<Contact> contacts) {
-  std::vector<int> known(contacts.size(), 0);
+void place_contacts(const WorldState& world, TouchedBodies& touched, std::span<Contact> contacts) {
   for (std::size_t i = 0; i < touched.bodies.size(); ++i) {
     if (world.bodies[touched.bodies[i].body].quasi_static) continue;  // it touches as its proxy
     for (std::size_t k = 0; k < touched.bodies[i].points.size(); ++k) {
       Contact& contact = contacts[touched.objects[i].contacts[k]];
-      if (contact.node_a.valid() || contact.node_b.valid()) continue;
-      const double side = contact.a == touched.objects[i].object ? 1 : -1;
-      const Vec3 middle = middle_from(contact, touched.bodies[i].points[k].position, side);
-      int& sides = known[touched.objects[i].contacts[k]];
-      contact.position = sides++ == 0 ? middle : Vec3(0.5 * (contact.position + middle));
+      if (contact.position_at == PositionTime::mean || is_of_nodes(contact)) continue;
+      const bool is_a = contact.a == touched.objects[i].object, acts_on_a = acts_on_first(world, contact.a, contact.b);
+      const double across = is_a == acts_on_a ? 0 : (is_a ? -1 : 1) * contact.distance;
+      contact.position = touched.bodies[i].points[k].position + across * contact.normal;
     }
   }
   for (std::size_t i = 0; i < touched.bodies.size(); ++i)
     for (std::size_t k = 0; k < touched.bodies[i].points.size(); ++k)
       touched.bodies[i].points[k].contact = contacts[touched.objects[i].contacts[k]].position;
 }
-
-}  // namespace
 
 void fit_contacts(const WorldState& world, TouchedBodies& touched, std::span<Contact> contacts) {
   for (std::size_t i = 0; i < touched.bodies.size(); ++i) {
@@ -126,12 +127,12 @@ void fit_contacts(const WorldState& world, TouchedBodies& touched, std::span<Con
     for (std::size_t k = 0; k < touched.bodies[i].points.size(); ++k) {
       const TouchedPoint& point = touched.bodies[i].points[k];
       Contact& contact = contacts[touched.objects[i].contacts[k]];
-      if (contact.node_a.valid() || contact.node_b.valid()) continue;
+      if (is_of_nodes(contact)) continue;
       const double side = contact.a == body.proxy ? 1 : -1;
       contact.distance += side * contact.normal.dot(point.position - proxy_position(body, point.surface));
     }
   }
-  correct_places(world, touched, contacts);
+  place_contacts(world, touched, contacts);
 }
 
 double foresee_turn(const WorldState& world, TouchedBody& touched, double dt) {

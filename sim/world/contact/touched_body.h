@@ -10,8 +10,8 @@
 
 namespace griffith {
 
-/// Point at which a contact touches an elastic body. While a gap closes, the contact lies half of it off the surface.
-/// The torque of that offset acts on a free body as a whole, so that angular momentum is conserved.
+/// Point at which a contact touches an elastic body. While a gap closes, the contact lies off the surface of the
+/// heavier. The torque of that offset acts on a free body as a whole, so that angular momentum is conserved.
 struct TouchedPoint {
   SurfacePoint surface;
   NodeId node = {};              ///< node that touches, if known
@@ -37,6 +37,12 @@ struct TouchedBodies {
   std::vector<ElasticObject> objects;
 };
 
+/// True for a contact of a node, which has its place.
+inline bool is_of_nodes(const Contact& contact) { return contact.node_a.valid() || contact.node_b.valid(); }
+/// True if contacts act at the surface of the first of two objects: at that of the lighter one. While a gap closes,
+/// both are in different places, and the torque about a body of an impulse that is off its surface is one that it does
+/// not get when they touch. A light plate would be flung up by it.
+bool acts_on_first(const WorldState& world, ProxyId first, ProxyId second);
 /// Returns a node as a point that touches at a place [m].
 TouchedPoint touched_node(const WorldState& world, NodeId node, const Vec3& place);
 /// Returns the point of a surface that touches at a place [m].
@@ -47,6 +53,8 @@ TouchedBodies touched_bodies(const WorldState& world);
 /// Moves the contacts from the surfaces of the proxies, which do not deform, to those of the deformed bodies, and
 /// corrects their distances; those of nodes are right.
 void fit_contacts(const WorldState& world, TouchedBodies& touched, std::span<Contact> contacts);
+/// Moves the contacts alone. Those at mean places of what turns far stay there.
+void place_contacts(const WorldState& world, TouchedBodies& touched, std::span<Contact> contacts);
 /// Returns the approach speed of the sides of each contact without its impulse, in a substep of `dt` [s] [m/s], for
 /// ContactWorld::drop_near_misses().
 std::vector<double> approach_speeds(const WorldState& world, const TouchedBodies& touched, double dt);

@@ -172,14 +172,15 @@ void StepImpacts::take_harmful(const WorldState& world, double duration, std::ve
       },
       duration);
   late_.clear();
-  std::set<std::pair<ProxyId, ProxyId>> harmful;
+  std::set<std::pair<ProxyId, ProxyId>> taken;
   for (std::size_t i = 0; i < impacts.size(); ++i) {
     if (!outcomes[i].harmful) continue;
-    harmful.insert(key_of(impacts[i]));
-    if (outcomes[i].touched && goes_alone(world, impacts[i])) late_.push_back({impacts[i], outcomes[i].contact});
+    const bool is_followed = outcomes[i].touched && goes_alone(world, impacts[i]);
+    if (is_followed) late_.push_back({impacts[i], outcomes[i].contact});
+    if (is_followed || !meeting_of.at(key_of(impacts[i]))->is_deep) taken.insert(key_of(impacts[i]));
   }
   std::erase_if(meetings, [&](const ContactWorld::Meeting& meeting) {
-    return harmful.contains(std::minmax(meeting.objects[0], meeting.objects[1]));
+    return taken.contains(std::minmax(meeting.objects[0], meeting.objects[1]));
   });
   std::ranges::stable_sort(late_, {}, [](const Alone& alone) { return alone.impact.met.strike; });
 }

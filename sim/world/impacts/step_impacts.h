@@ -25,7 +25,7 @@ class StepImpacts {
   /// Follows those that go alone within `duration` [s], in order of time. Bodies of safe ones become rigid.
   void follow_alone(WorldState& world, double duration);
   /// Takes over the harmful ones among meetings in a substep that is being solved, and removes them from `meetings`.
-  /// They replace those of an earlier call.
+  /// They replace those of an earlier call. What would overlap far and cannot be followed stays: as a contact.
   void take_harmful(const WorldState& world, double duration, std::vector<ContactWorld::Meeting>& meetings);
   /// Follows those taken over, after all have moved by a substep of `duration` [s] from the time `start` [s].
   void follow_late(WorldState& world, double start, double duration);
