@@ -24,6 +24,8 @@ struct RigidState {
   Pose pose;                             ///< pose of the center-of-mass frame
   Vec3 velocity = Vec3::Zero();          ///< velocity of the center of mass [m/s]
   Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
+
+  bool is_still() const { return velocity.isZero(0) && angular_velocity.isZero(0); }
 };
 
 struct RigidMass {
@@ -284,7 +286,7 @@ class ContactWorld {
 
 /// Largest number of corners of a convex part of what is jagged: more cost time at every contact without a visible
 /// effect.
-inline constexpr int kMaxCorners = 42;
+inline constexpr int kMaxPartCorners = 42;
 
 /// Divides a body into few, nearly convex parts for collision. `points`, which are now where they are and at rest at
 /// `rest_points`, and `tets` are the body's own. Every tet belongs to one part, the convex hull of its at most
@@ -295,6 +297,6 @@ inline constexpr int kMaxCorners = 42;
 /// halved across its longest axis. A low `fill` makes fewer parts.
 std::vector<ConvexPart> convex_parts(std::span<const Vec3> points, std::span<const Vec3> rest_points,
                                      std::span<const std::array<int, 4>> tets, double fill = 0.97,
-                                     int max_corners = kMaxCorners);
+                                     int max_corners = kMaxPartCorners);
 
 }  // namespace griffith

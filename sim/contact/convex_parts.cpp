@@ -170,7 +170,7 @@ std::vector<ConvexPart> convex_parts(std::span<const Vec3> points, std::span<con
 std::vector<ConvexPart> convex_parts(std::span<const Vec3> points, std::span<const Vec3> rest_points,
                                      std::span<const ConvexPiece> pieces, double fill) {
   assert(fill > 0 && fill <= 1 && points.size() == rest_points.size());
-  Body body = {points, rest_points, fill, kMaxCorners};
+  Body body = {points, rest_points, fill, kMaxPartCorners};
   for (const ConvexPiece& piece : pieces) body.add(piece.corners, piece.volume);
   return parts_of(body);
 }

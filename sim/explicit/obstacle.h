@@ -52,7 +52,7 @@ struct Obstacle {
   bool is_sphere() const { return solids.empty(); }
   bool is_movable() const { return inverse_mass > 0 || !inverse_inertia.isZero(0); }
   /// True if it is movable or driven.
-  bool may_move() const { return is_movable() || !state.velocity.isZero(0) || !state.angular_velocity.isZero(0); }
+  bool may_move() const { return is_movable() || !state.is_still(); }
   bool is_ground() const { return std::isinf(radius); }
   /// Returns the distance of a place from a solid of one face, the ground [m].
   double gap_of(const Vec3& place) const { return solids.front().faces.front().distance(state.pose.to_local(place)); }

@@ -75,7 +75,6 @@ struct alignas(64) Object {
   double speed() const { return state.velocity.norm() + state.angular_velocity.norm() * shape.radius; }
   /// Returns its mean velocity in this substep of `dt` [s], including corrections [m/s].
   Vec3 mean_velocity(double dt) const { return state.velocity + correction.translation / dt; }
-  bool is_still() const { return state.velocity.isZero(0) && state.angular_velocity.isZero(0); }
   /// True if impulses change its velocities in the present solve.
   bool responds() const { return elastic || moves(); }
   /// True in the same case, or if impulses rotate it about a hinge.

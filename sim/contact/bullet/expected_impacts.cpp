@@ -191,7 +191,7 @@ std::vector<ContactWorld::Encounter> ContactWorld::Impl::expected_impacts(double
   std::vector<Flyer> flyers;
   double fastest = 0, weakest = std::numeric_limits<double>::infinity();
   for (const Object& object : objects) {
-    const bool flies = object.exists && object.kind != Kind::ground && (object.moves() || !object.is_still());
+    const bool flies = object.exists && object.kind != Kind::ground && (object.moves() || !object.state.is_still());
     const double speed = flies ? highest_speed({course_of(object), object}, dt) : 0;
     flyers.push_back({speed, object.impact_speed});
     fastest = std::max(fastest, speed);

@@ -92,7 +92,7 @@ bool is_undivided(const WorldState& world, const Body& body) {
 std::vector<ConvexPart> tet_parts(const WorldState& world, const Body& body) {
   if (!is_bent(world, body))
     return tet_parts(world.mesh, world.nodes.positions, body.tets, body.motion.center,
-                     is_undivided(world, body) ? kCornersOfUndivided : kMaxCorners);
+                     is_undivided(world, body) ? kCornersOfUndivided : kMaxPartCorners);
   const LocalTets local(world.mesh, body.tets);
   const Mat3 back = placement_of(world, body.nodes).turn.transpose();
   const std::vector<Vec3> points = relative_to(local.points(world.nodes.positions), body.motion.center);

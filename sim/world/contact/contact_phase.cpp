@@ -62,7 +62,7 @@ bool is_left_to_microsteps(const WorldState& world, const Body& body, const Cont
   const ProxyId other = contact.a == body.proxy ? contact.b : contact.a;
   return world.model->scene.simulation.integrator == Integrator::hybrid && contact.approach > min_impact_speed(world) &&
          (!deforms_visibly(world, body) || suits_microsteps(world, body, 0) ||
-          (suits_rebound(world, body, contact.approach) && is_hard_for(world, body, other)));
+          suits_rebound_from(world, body, other, contact.approach));
 }
 
 /// Returns the force of another object on a body in a substep of `dt` [N].

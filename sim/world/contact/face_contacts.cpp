@@ -214,6 +214,22 @@ bool may_lie_on_ground(const WorldState& world, const Body& body, ProxyId ground
   return std::ranges::any_of(world.contact_world.contacts(), is_this);
 }
 
+/// Returns, per face of a body's surface, true if it may face the ground within a substep of `dt` [s]: what looks up
+/// has the body between itself and the ground. Soft bodies fold, so that any face may come to lie below.
+std::vector<bool> faces_downward(const WorldState& world, const std::vector<Vec3>& places, const Body& body,
+                                 double dt) {
+  constexpr double kLevel = 1e-3;
+  if (deforms_visibly(world, body)) return std::vector<bool>(body.surface.size(), true);
+  const double turned = dt * motion_of(world, body).angular_velocity.norm();
+  std::vector<bool> downward(body.surface.size());
+  for (std::size_t i = 0; i < body.surface.size(); ++i) {
+    const auto [p, q, r] = face_nodes(world.mesh, body.surface[i].tet, body.surface[i].face);
+    const Vec3 area = (places[q] - places[p]).cross(places[r] - places[p]);
+    downward[i] = area.y() < (turned - kLevel) * area.norm();
+  }
+  return downward;
+}
+
 /// Adds the nodes of a body that touch the ground, or may in a substep of `dt` [s].
 void add_ground_contacts(const WorldState& world, const std::vector<Vec3>& places, const Body& body, ProxyId ground,
                          double dt, std::vector<Contact>& added) {
@@ -227,8 +243,10 @@ void add_ground_contacts(const WorldState& world, const std::vector<Vec3>& place
   if (is_soft)
     for (const NodeId node : body.nodes) fastest = std::max(fastest, -world.nodes.velocities[node].y());
   std::vector<NodeId> nodes;
-  for (const SurfaceFace& face : body.surface)
-    for (const NodeId node : face_nodes(world.mesh, face.tet, face.face)) {
+  const std::vector<bool> downward = faces_downward(world, places, body, dt);
+  for (std::size_t i = 0; i < body.surface.size(); ++i)
+    for (const NodeId node : face_nodes(world.mesh, body.surface[i].tet, body.surface[i].face)) {
+      if (!downward[i]) break;
       const double speed = std::max(fastest, -world.nodes.velocities[node].y());
       const double foresight = speed < left_to_microsteps ? kForesight : kClosing;
       if (!world.nodes.has_support[node] && places[node].y() - height < reach + foresight * (dt * speed + fall))

@@ -36,8 +36,7 @@ bool is_short(const WorldState& world, const Impact& impact) {
 
 /// True if a body moves as its supports let it.
 bool moves_on_supports(const WorldState& world, const Body& body) {
-  const RigidState state = world.contact_world.state(body.proxy);
-  return body.supported() && !(state.velocity.isZero(0) && state.angular_velocity.isZero(0));
+  return body.supported() && !world.contact_world.state(body.proxy).is_still();
 }
 
 /// True if an impact is judged by itself.
@@ -128,9 +127,10 @@ void StepImpacts::turn_rigid(WorldState& world) {
     if (id.valid() && !strained[id]) rigidify_if_quiescent(world, world.bodies[id]);
 }
 
-void StepImpacts::follow(WorldState& world, Alone alone) {
-  if (is_ahead(alone.impact)) {  // it has met something else since
-    const TrialOutcome outcome = try_impact(world, alone.impact, flown(world, alone.impact, flights_of(alone.impact)));
+void StepImpacts::follow(WorldState& world, Alone alone, double wait) {
+  if (wait > 0 || is_ahead(alone.impact)) {  // it has met something else since, or moved otherwise
+    const std::array<RigidState, 2> states = flown(world, alone.impact, flights_of(alone.impact));
+    const TrialOutcome outcome = try_impact(world, alone.impact, states, wait);
     work_ += outcome.work;
     if (!outcome.harmful) return;
     alone.contact = outcome.contact;
@@ -188,10 +188,12 @@ void StepImpacts::take_harmful(const WorldState& world, double duration, std::ve
 void StepImpacts::follow_late(WorldState& world, double start, double duration) {
   if (late_.empty()) return;
   world.time = start + duration;
+  // What has met something else in the substep has fallen by up to g dt² less than what flies.
+  const double fall = duration * duration * world.model->scene.gravity.norm();
   for (Alone& alone : std::exchange(late_, {})) {
     alone.impact.met.time -= duration;
     alone.impact.met.strike -= duration;
-    follow(world, alone);
+    follow(world, alone, fall / alone.impact.met.approach);
   }
   place_proxies(world);
   catch_up(world);

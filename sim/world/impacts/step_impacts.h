@@ -44,7 +44,8 @@ class StepImpacts {
   std::vector<TrialOutcome> try_all(const WorldState& world, const std::vector<Impact>& impacts,
                                     const std::function<std::array<RigidState, 2>(const Impact&)>& states_of,
                                     double until);
-  void follow(WorldState& world, Alone alone);
+  /// `wait`: time by which the contact may come later than predicted [s].
+  void follow(WorldState& world, Alone alone, double wait = 0);
   bool is_safe(const Impact& impact) const;
   bool goes_alone(const WorldState& world, const Impact& impact) const;
   bool needs_no_trial(const WorldState& world, const Impact& impact) const;

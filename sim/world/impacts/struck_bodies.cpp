@@ -42,9 +42,12 @@ bool suits_rebound(const WorldState& world, const Body& body, double impact_spee
   return rebounds(world, body) && suits_waves(world, body, impact_speed, kMaxMachOfRebound);
 }
 
-bool is_hard_for(const WorldState& world, const Body& body, ProxyId object) {
+bool suits_rebound_from(const WorldState& world, const Body& body, ProxyId object, double impact_speed) {
   constexpr double kMuchStiffer = 10;
+  if (!suits_rebound(world, body, impact_speed)) return false;
+  if (world.contact_world.is_ground(object)) return true;
   const BodyId id = world.body_of(object);
+  if (!suits_speed(world, body, impact_speed)) return false;  // edges and corners strain it more than the ground does
   if (!id.valid()) return true;
   return !world.bodies[id].guided &&
          world.material_of(world.bodies[id]).young_modulus >= kMuchStiffer * world.material_of(body).young_modulus;
@@ -112,7 +115,7 @@ bool bounces(const WorldState& world, const Impact& impact, int side) {
   if (!id.valid()) return false;
   const Body& body = world.bodies[id];
   return !body.explicit_state && impact.met.approach >= rebound_speed(world, body) &&
-         suits_rebound(world, body, impact.met.approach) && is_hard_for(world, body, impact.objects()[1 - side]);
+         suits_rebound_from(world, body, impact.objects()[1 - side], impact.met.approach);
 }
 
 }  // namespace

@@ -24,11 +24,11 @@ bool is_shot(const WorldState& world, const Impact& impact);
 /// a wave crosses many others in a microstep of theirs, is left to the implicit step.
 bool suits_microsteps(const WorldState& world, const Body& body, double impact_speed);
 
-/// True if an object hardly deforms beside a body: the ground, a projectile, or a body at least ten times as stiff.
-/// Microsteps know it as a rigid obstacle.
-bool is_hard_for(const WorldState& world, const Body& body, ProxyId object);
 /// True if microsteps can follow an impact at this speed on a body that rebounds, as long as it does not crack [m/s].
 bool suits_rebound(const WorldState& world, const Body& body, double impact_speed);
+/// True if they can, and the object that it strikes hardly deforms beside it, which microsteps know as a rigid
+/// obstacle: the ground, a projectile, or a body at least ten times as stiff.
+bool suits_rebound_from(const WorldState& world, const Body& body, ProxyId object, double impact_speed);
 
 /// True if two pieces of one body have just parted: what they do to each other then is no impact.
 bool have_just_parted(const WorldState& world, BodyId a, BodyId b);
