@@ -58,8 +58,8 @@ enum class PositionTime : std::int64_t {
 /// parts have at most four. Between detect() and solve() the owner may correct the distance and add contacts.
 struct Contact {
   ProxyId a, b;
-  Vec3 position;                ///< half-way between their surfaces, where the impulse acts on both [m]
-  Vec3 normal;                  ///< unit, points from b to a
+  Vec3 position;  ///< where the impulse acts on both: half-way between their surfaces, or as the owner has put it [m]
+  Vec3 normal;    ///< unit, points from b to a
   double distance = 0;          ///< gap along the normal, negative when overlapping, allowed or not [m]
   double approach = 0;          ///< speed at which the gap would close without impulses, from solve() [m/s]
   Vec3 impulse = Vec3::Zero();  ///< on a, in the substep just solved; b gets the opposite [N·s]

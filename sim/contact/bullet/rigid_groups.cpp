@@ -28,15 +28,19 @@ Mat3 contact::inverse_world_inertia(const Object& object) {
   return object.place.rotation * object.inverse_inertia * object.place.rotation.transpose();
 }
 
-double contact::smaller_radius(const Object& a, const Object& b) {
-  if (a.kind == Kind::ground) return b.shape.radius;
-  return b.kind == Kind::ground ? a.shape.radius : std::min(a.shape.radius, b.shape.radius);
+namespace {
+
+/// Returns the smaller size of two objects, of which the ground has none [m].
+double smaller(double Shape::*size, const Object& a, const Object& b) {
+  if (a.kind == Kind::ground) return b.shape.*size;
+  return b.kind == Kind::ground ? a.shape.*size : std::min(a.shape.*size, b.shape.*size);
 }
 
-double contact::smaller_thickness(const Object& a, const Object& b) {
-  if (a.kind == Kind::ground) return b.shape.thickness;
-  return b.kind == Kind::ground ? a.shape.thickness : std::min(a.shape.thickness, b.shape.thickness);
-}
+}  // namespace
+
+double contact::smaller_radius(const Object& a, const Object& b) { return smaller(&Shape::radius, a, b); }
+
+double contact::smaller_thickness(const Object& a, const Object& b) { return smaller(&Shape::thickness, a, b); }
 
 /// Divides the contacts into those of groups of rigid objects and all others.
 void ContactWorld::Impl::split_groups() {

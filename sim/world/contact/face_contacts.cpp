@@ -215,11 +215,10 @@ bool may_lie_on_ground(const WorldState& world, const Body& body, ProxyId ground
 }
 
 /// Returns, per face of a body's surface, true if it may face the ground within a substep of `dt` [s]: what looks up
-/// has the body between itself and the ground. Soft bodies fold, so that any face may come to lie below.
+/// has the body between itself and the ground. Not for soft bodies: they fold, so that any face may come to lie below.
 std::vector<bool> faces_downward(const WorldState& world, const std::vector<Vec3>& places, const Body& body,
                                  double dt) {
   constexpr double kLevel = 1e-3;
-  if (deforms_visibly(world, body)) return std::vector<bool>(body.surface.size(), true);
   const double turned = dt * motion_of(world, body).angular_velocity.norm();
   std::vector<bool> downward(body.surface.size());
   for (std::size_t i = 0; i < body.surface.size(); ++i) {
@@ -243,7 +242,8 @@ void add_ground_contacts(const WorldState& world, const std::vector<Vec3>& place
   if (is_soft)
     for (const NodeId node : body.nodes) fastest = std::max(fastest, -world.nodes.velocities[node].y());
   std::vector<NodeId> nodes;
-  const std::vector<bool> downward = faces_downward(world, places, body, dt);
+  const std::vector<bool> downward =
+      is_soft ? std::vector<bool>(body.surface.size(), true) : faces_downward(world, places, body, dt);
   for (std::size_t i = 0; i < body.surface.size(); ++i)
     for (const NodeId node : face_nodes(world.mesh, body.surface[i].tet, body.surface[i].face)) {
       if (!downward[i]) break;

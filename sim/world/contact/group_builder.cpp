@@ -79,7 +79,7 @@ class GroupBuilder {
       row.axes = law.axes;
       row.friction = law.friction;
       row.target_velocity = target_velocity(found, contact, std::min(0.0, law.target_velocity), fastest);
-      row.rebound = is_impact(found, contact) ? std::max(0.0, law.target_velocity) : 0;
+      row.rebound = law.target_velocity > 0 && is_impact(found, contact) ? law.target_velocity : 0;
       group.target_velocities.push_back(row.target_velocity);
       row.free_velocity = law.axes.transpose() * law.free_velocity;
       row.impulse = law.guess;
